@@ -7,6 +7,7 @@
 #include "topology/betti/cell_frame.h"
 #include "topology/betti/leaf_columns.h"
 #include "topology/betti/planes.h"
+#include "topology/betti/separable_frame.h"
 #include "topology/betti/sign_grid.h"
 
 namespace isomotion::topology {
@@ -403,6 +404,7 @@ std::size_t Octree::draw(std::span<const Crossed> leaves, SignGrid& grid) {
 
 CertifiedFrame certify_frame(const SpaceFormula& formula, const scene::BoundsAt& bounds,
                              const FrameLimits& limits) {
+    if (const CertifiedFrame frame = certify_separable(formula, bounds); frame.betti) return frame;
     FrameField one({formula.graph, formula.root, one_of(formula.bindings), formula.solid});
     FrameField all(formula);
     const Places places(bounds);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <map>
 #include <memory>
+#include <tuple>
 
 #include "base/workers.h"
 #include "topology/classify/field_snapshot.h"
@@ -11,6 +12,8 @@
 
 namespace isomotion::topology {
 namespace {
+
+using formula::Interval;
 
 constexpr int most_routes = 16, most_bridges = 3, most_seeds = 4096;
 // Parts of the box: minima that are one, and saddles that are the event's own.
@@ -59,7 +62,44 @@ bool bridge(MorseGraph& graph, std::span<const DescentPath> ends, PointField& fi
     return !gaps.empty();
 }
 
+// Whether two values may be one, and the hull of both.
+struct Together {
+    bool may_be_one = true;
+
+    void add(Interval& a, const Interval& b) {
+        may_be_one &= !is_empty(intersect(a, b));
+        a = hull(a, b);
+    }
+    void add(formula::Bindings<Interval>& a, const formula::Bindings<Interval>& b) {
+        for (std::size_t k = 0; k < a.parameters.size(); ++k) add(a.parameters[k], b.parameters[k]);
+        for (std::size_t n = 0; n < a.arrays.size(); ++n) {
+            for (std::size_t f = 0; f < a.arrays[n].fields.size(); ++f) {
+                auto& to = a.arrays[n].fields[f];
+                const auto& from = b.arrays[n].fields[f];
+                for (std::size_t k = 0; k < to.size(); ++k) add(to[k], from[k]);
+            }
+        }
+    }
+    void add(EnclosedBounds& a, const EnclosedBounds& b) {
+        for (std::size_t k = 0; k < 3; ++k) {
+            add(a.low[k], b.low[k]);
+            add(a.high[k], b.high[k]);
+            add(a.centre[k], b.centre[k]);
+        }
+        add(a.radius, b.radius);
+    }
+};
+
 } // namespace
+
+// The surface at an event, or at several: a motion that swings comes back to it. A proof for all
+// values in the enclosures is one for each event.
+struct EventPaths::Surface {
+    const TimedFormula* piece;
+    formula::Bindings<Interval> bindings;
+    EnclosedBounds bounds;
+    std::vector<std::size_t> events;
+};
 
 // The fields of one thread: made once for each piece, then given the values of one event after the
 // other.
@@ -105,6 +145,41 @@ void EventPaths::follow_saddles(int index, const std::function<bool()>& stopped)
     saddles_[std::size_t(index - 1)] = saddles_at_events(field, events_, index, box, stopped);
 }
 
+std::vector<EventPaths::Surface> EventPaths::surfaces(std::span<const std::size_t> which) const {
+    std::vector<Surface> surfaces;
+    const auto key = [](const Event& event) {
+        return std::tuple(event.index, event.stratum, event.where[0].lo, event.where[1].lo,
+                          event.where[2].lo);
+    };
+    std::map<decltype(key(events_[0])), std::vector<std::size_t>> at_place;
+    for (const std::size_t k : which) {
+        const Event& event = events_[k];
+        const TimedFormula& piece = piece_of(mid(event.time));
+        // At a knot another piece has a rule of its own.
+        if (!contains(piece.clock(), event.time)) continue;
+        Surface now{&piece, piece.bindings(event.time), piece.bounds(event.time), {k}};
+        std::vector<std::size_t>& others = at_place[key(event)];
+        const bool is_known = std::ranges::any_of(others, [&](std::size_t number) {
+            Surface& other = surfaces[number];
+            if (other.piece != &piece || events_[other.events[0]].where != event.where)
+                return false;
+            Surface both = now;
+            Together together;
+            together.add(both.bindings, other.bindings);
+            together.add(both.bounds, other.bounds);
+            if (!together.may_be_one) return false;
+            both.events = other.events;
+            both.events.push_back(k);
+            other = std::move(both);
+            return true;
+        });
+        if (is_known) continue;
+        others.push_back(surfaces.size());
+        surfaces.push_back(std::move(now));
+    }
+    return surfaces;
+}
+
 std::vector<Sides> EventPaths::seek(std::span<const std::size_t> which, const PathOptions& how) {
     std::vector<int> to_follow;
     for (const int index : {1, 2}) {
@@ -120,26 +195,27 @@ std::vector<Sides> EventPaths::seek(std::span<const std::size_t> which, const Pa
     base::share(loop(to_follow.size()),
                 [&] { return [&](std::size_t k) { follow_saddles(to_follow[k], how.stopped); }; });
     std::vector<Sides> found(which.size(), Sides::unknown);
-    base::share(loop(which.size()), [&] {
+    std::vector<std::size_t> position(events_.size());
+    for (std::size_t k = 0; k < which.size(); ++k) position[which[k]] = k;
+    const std::vector<Surface> surfaces = this->surfaces(which);
+    base::share(loop(surfaces.size()), [&] {
         return [&, fields = Fields{}](std::size_t k) mutable {
-            found[k] = sides(fields, which[k], how.effort, how.stopped);
+            const Sides answer = sides(fields, surfaces[k], how.effort, how.stopped);
+            for (const std::size_t event : surfaces[k].events) found[position[event]] = answer;
         };
     });
     return found;
 }
 
-Sides EventPaths::sides(Fields& fields, std::size_t which, int effort,
+Sides EventPaths::sides(Fields& fields, const Surface& surface, int effort,
                         const std::function<bool()>& stopped) const {
+    const std::size_t which = surface.events[0];
     const Event& event = events_[which];
     const bool is_solid = event.index == 1;
     // The sides of a critical point of index 2 on a wall are the inside and the outside.
     if (event.index != 1 && (event.index != 2 || event.stratum != 3)) return Sides::unknown;
-    const TimedFormula& piece = piece_of(mid(event.time));
-    // At a knot another piece has a rule of its own.
-    if (!contains(piece.clock(), event.time)) return Sides::unknown;
-    const auto bindings = piece.bindings(event.time);
     const FieldSnapshot snapshot =
-        field_snapshot(fields.over(piece, bindings), piece.bounds(event.time));
+        field_snapshot(fields.over(*surface.piece, surface.bindings), surface.bounds);
     const SublevelSet region(snapshot, is_solid);
     const auto starts = both_sides(region, event);
     if (!starts) return Sides::unknown;
@@ -150,7 +226,7 @@ Sides EventPaths::sides(Fields& fields, std::size_t which, int effort,
         if (by_boxes != Sides::unknown) return by_boxes;
     }
 
-    PointField& field = fields.at(piece, bindings, event.index);
+    PointField& field = fields.at(*surface.piece, surface.bindings, event.index);
     const Domain domain = domain_of(snapshot, is_solid);
     Domain with_short_steps = domain;
     with_short_steps.longest /= 8;

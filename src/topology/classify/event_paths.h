@@ -34,10 +34,12 @@ public:
 
 private:
     struct Fields;
+    struct Surface;
 
     const TimedFormula& piece_of(double time) const;
+    std::vector<Surface> surfaces(std::span<const std::size_t> which) const;
     void follow_saddles(int index, const std::function<bool()>& stopped);
-    Sides sides(Fields& fields, std::size_t event, int effort,
+    Sides sides(Fields& fields, const Surface& surface, int effort,
                 const std::function<bool()>& stopped) const;
 
     std::span<const TimedFormula> pieces_;

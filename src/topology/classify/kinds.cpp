@@ -71,6 +71,26 @@ bool force(std::vector<Event*> events, int change, int Betti::*number, const cha
     return true;
 }
 
+// How many open events there are, and at how many moments: groups of events whose times overlap.
+struct Crowd {
+    std::ptrdiff_t open = 0, moments = 0;
+};
+
+Crowd crowd_of(const Timeline& timeline) {
+    std::vector<Interval> times;
+    for (const Event& event : timeline.events) {
+        if (is_open(event)) times.push_back(event.time);
+    }
+    std::ranges::sort(times, {}, &Interval::lo);
+    Crowd crowd{std::ssize(times), 0};
+    double end = -formula::infinity;
+    for (const Interval& time : times) {
+        crowd.moments += time.lo > end;
+        end = std::max(end, time.hi);
+    }
+    return crowd;
+}
+
 void settle_by_index(Timeline& timeline) {
     for (Event& event : timeline.events) {
         if (event.kind != Kind::unknown) {
@@ -117,12 +137,16 @@ bool is_whole_elsewhere(const Timeline& timeline) {
 // Counts between frames, and asks for more of these where that doesn't do.
 class Counting {
 public:
-    // Asks for `most_frames`.
-    Counting(Timeline& timeline, const KindProofs& proofs, int most_frames)
+    // Asks for `most_frames`, where one that has no proof counts as `failure`. It adds the times of
+    // those to `failed` and doesn't ask for them again.
+    Counting(Timeline& timeline, const KindProofs& proofs, int most_frames, int failure,
+             std::vector<double>& failed)
         : timeline_(timeline)
         , proofs_(proofs)
         , nothing_missing_(is_whole_elsewhere(timeline))
-        , frames_left_(proofs.frame ? most_frames : 0) {}
+        , frames_left_(proofs.frame ? most_frames : 0)
+        , failure_(failure)
+        , failed_(failed) {}
 
     struct Checkpoint {
         std::size_t at; // before this event
@@ -144,10 +168,14 @@ public:
         }
         if (std::ranges::none_of(events, is_open) && is_whole) return;
         for (const Gap& gap : gaps(from, to)) {
-            if (frames_left_ == 0 || (proofs_.stopped && proofs_.stopped())) return;
-            --frames_left_;
+            if (frames_left_ <= 0 || (proofs_.stopped && proofs_.stopped())) return;
+            if (std::ranges::find(failed_, gap.time) != failed_.end()) continue;
             const auto betti = proofs_.frame(gap.time);
-            if (!betti) continue;
+            frames_left_ -= betti ? 1 : failure_;
+            if (!betti) {
+                failed_.push_back(gap.time);
+                continue;
+            }
             const Checkpoint middle{gap.at, gap.time, *betti};
             checkpoints_.push_back(middle);
             between(from, middle);
@@ -159,7 +187,7 @@ public:
     std::vector<Checkpoint> frames() && {
         return std::move(checkpoints_);
     } // those that were proved
-    int frames_left() const { return frames_left_; }
+    int frames_left() const { return std::max(frames_left_, 0); }
 
 private:
     // The gaps where a frame would part the open events: the widest first, if they leave events of
@@ -194,7 +222,8 @@ private:
     Timeline& timeline_;
     const KindProofs& proofs_;
     const bool nothing_missing_; // but in degenerate places
-    int frames_left_;
+    int frames_left_, failure_;
+    std::vector<double>& failed_;
     std::vector<Checkpoint> checkpoints_;
 };
 
@@ -459,9 +488,10 @@ void find_kinds(Timeline& timeline, const KindProofs& proofs) {
     add_frames_near_ends(timeline, proofs, known);
     std::vector<Counting::Checkpoint> frames = known;
     int frames_left = proofs.most_frames;
-    const auto count = [&](int most_frames) {
+    std::vector<double> failed;
+    const auto count = [&](int most_frames, int failure = 1) {
         const int allowed = std::min(most_frames, frames_left);
-        Counting counting(timeline, proofs, allowed);
+        Counting counting(timeline, proofs, allowed, failure, failed);
         const std::vector<Counting::Checkpoint> between = frames;
         for (std::size_t k = 1; k < between.size(); ++k)
             counting.between(between[k - 1], between[k]);
@@ -471,13 +501,22 @@ void find_kinds(Timeline& timeline, const KindProofs& proofs) {
     };
     // What is cheap first: paths leave little to count. Boxes part the sides of some sixteen events
     // in the time that a frame takes, which may tell of hundreds.
+    // One without a proof takes about as long as eight with one.
     constexpr std::ptrdiff_t events_a_frame = 16;
+    constexpr int failure = 8;
     count(0);
+    // A frame between two moments at which many events come tells of all of these, and paths of
+    // few: they may not lead over one another.
+    if (const Crowd crowd = crowd_of(timeline); crowd.open >= events_a_frame * crowd.moments)
+        count(int(crowd.moments));
     for (const int effort : {0, 1, 2}) {
         if (std::ranges::none_of(timeline.events, is_open)) break;
         settle_by_path(timeline, proofs, effort);
         const auto left = std::ranges::count_if(timeline.events, is_open);
-        count(effort == 0 ? 0 : effort == 1 ? int(left / events_a_frame) : frames_left);
+        count(effort == 0   ? 0
+              : effort == 1 ? int(left / events_a_frame)
+                            : frames_left,
+              effort == 1 ? failure : 1);
     }
     for (const auto& frame : frames) read_off(timeline, frame);
     read_off_ends(timeline);

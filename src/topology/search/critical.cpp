@@ -19,6 +19,7 @@
 #include "topology/search/morse.h"
 #include "topology/search/search.h"
 #include "topology/search/seeded.h"
+#include "topology/search/separable_search.h"
 #include "topology/search/singular_set.h"
 #include "topology/search/stratum_places.h"
 #include "topology/timeline/advice.h"
@@ -407,6 +408,13 @@ Timeline found_in(const Motions& all, const scene::Scene* scene, Interval range,
                 }
                 const SearchOptions searching{how.smallest, how.threads, how.stopped, progress};
                 done += share;
+                if (how.seeds == 0) {
+                    if (const auto found = search_separable(part.motion, stratum, searching)) {
+                        if (cost) cost->boxes += found->found.work.boxes;
+                        events.add(found->field, found->found);
+                        continue;
+                    }
+                }
                 if (is_kinked) {
                     const KinkedResult found = search_kinked(part.motion, stratum, searching);
                     if (cost) cost->boxes += found.work.boxes;

@@ -452,12 +452,16 @@ Work& Work::operator+=(const Work& other) {
     return *this;
 }
 
-void put_together(SearchResult& all) {
-    std::sort(all.points.begin(), all.points.end(), [](const auto& a, const auto& b) {
+void put_in_order(std::vector<CriticalPoint>& points) {
+    std::sort(points.begin(), points.end(), [](const auto& a, const auto& b) {
         return std::lexicographical_compare(
             a.where.rbegin(), a.where.rend(), b.where.rbegin(), b.where.rend(),
             [](const Interval& x, const Interval& y) { return x.lo < y.lo; });
     });
+}
+
+void put_together(SearchResult& all) {
+    put_in_order(all.points);
     std::vector<CriticalPoint> points;
     for (const CriticalPoint& point : all.points) {
         const bool is_new =

@@ -62,7 +62,9 @@ struct SearchResult {
 
 SearchResult search(const MovingField& field, const SearchOptions& searching);
 
-// Sorts the points by clock. Two points are one if either is in the box where the other is alone:
+// By clock, then by place.
+void put_in_order(std::vector<CriticalPoint>& points);
+// Puts the points in order. Two points are one if either is in the box where the other is alone:
 // one of them remains.
 void put_together(SearchResult& found);
 

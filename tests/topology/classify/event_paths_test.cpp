@@ -142,6 +142,22 @@ TEST(EventPaths, OfCrowds) {
     EXPECT_GE(compared, 3);
 }
 
+// A motion that swings comes back to its surfaces: what is proved of one holds when it returns.
+TEST(EventPaths, OfAMotionThatSwingsAreTheSameOnTheWayBack) {
+    const scene::Scene scene =
+        moving("(x^2 + y^2 - 1)^2/4 + z^2 + 0.05*(x^2 - y^2) - 0.001*x - c",
+               "[parameters]\nc = '0.05 - 0.05*cos(2*pi*t)'\n", "{ sphere = 2 }");
+    const Found ring = found(scene, {0, 1}, 0);
+    ASSERT_TRUE(ring.timeline.is_proved);
+    std::vector<Sides> necks;
+    for (std::size_t k = 0; k < ring.sides.size(); ++k) {
+        if (ring.timeline.events[k].index == 1) necks.push_back(ring.sides[k]);
+    }
+    ASSERT_EQ(necks.size(), 4u);
+    for (const std::size_t last : {1u, 2u}) EXPECT_EQ(necks[last], Sides::joined);
+    for (const std::size_t first : {0u, 3u}) EXPECT_NE(necks[first], Sides::joined);
+}
+
 // The rule of a piece of the motion is proved of no time beyond it.
 TEST(EventPaths, NotAcrossAKnot) {
     const scene::Scene scene = moving("(x^2 + y^2 - 1)^2/4 + z^2 + 0.05*(x^2 - y^2) - 0.001*x - c",

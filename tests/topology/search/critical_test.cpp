@@ -87,11 +87,17 @@ TEST(Events, OfACassiniOfRevolutionIsASplit) {
 }
 
 TEST(Events, OfTheTangleAreAtThreeQuartersOfItsLevels) {
-    const Moving tangle{"x^4 - 5*x^2 + y^4 - 5*y^2 + z^4 - 5*z^2 + c",
-                        "{ box = [[-2.5, -2.5, -2.5], [2.5, 2.5, 2.5]] }", "c = \"20 - 2*t\""};
-    expect_events(
-        events_of(tangle, 0, 11),
-        {{0.625, 8, 0, true}, {3.75, 12, 1, true}, {6.875, 6, 2, true}, {10, 1, 3, true}});
+    const std::string formula = "x^4 - 5*x^2 + y^4 - 5*y^2 + z^4 - 5*z^2 + c";
+    // Turned about two axes, so that it is no sum of functions of one coordinate each.
+    const std::string turned = "u = 0.6*x + 0.8*y; s = 0.6*y - 0.8*x; v = 0.8*s + 0.6*z; "
+                               "w = 0.8*z - 0.6*s; u^4 - 5*u^2 + v^4 - 5*v^2 + w^4 - 5*w^2 + c";
+    for (const std::string& tangle : {formula, turned}) {
+        const Moving moving{tangle, "{ box = [[-3.9, -3.8, -3.7], [3.9, 3.8, 3.7]] }",
+                            "c = \"20 - 2*t\""};
+        expect_events(
+            inside(events_of(moving, 0, 11)),
+            {{0.625, 8, 0, true}, {3.75, 12, 1, true}, {6.875, 6, 2, true}, {10, 1, 3, true}});
+    }
 }
 
 TEST(Events, OfTheChmutovOcticAreAtOddLevels) {

@@ -83,7 +83,7 @@ TEST(Workers, StopWhenAsked) {
 
 // All that analyses tell, they tell in order.
 TEST(Analyse, TellsFromOneThreadAtATime) {
-    const Moving sphere{"x^2 + y^2 + z^2 - c", "{ box = [[-1, -1, -1], [1, 1, 1]] }",
+    const Moving sphere{"x^2 + y^2 + z^2 + x*y/8 - c", "{ box = [[-1, -1, -1], [1, 1, 1]] }",
                         "c = \"t - 0.5\"", "[time]\nfps = 10\nframes = 11\n"};
     for (const Certify certify : {Certify::fast, Certify::full}) {
         Listener listener;
@@ -98,7 +98,7 @@ TEST(Analyse, TellsFromOneThreadAtATime) {
 
 // An analysis is asked for its end within each task, not only between them.
 TEST(Analyse, AsksOften) {
-    const Moving sphere{"x^2 + y^2 + z^2 - c", "{ sphere = 2 }", "c = \"t - 0.5\"",
+    const Moving sphere{"x^2 + y^2 + z^2 + x*y/8 - c", "{ sphere = 2 }", "c = \"t - 0.5\"",
                         "[time]\nfps = 10\nframes = 11\n"};
     int asked = 0, told = 0;
     AnalyseOptions how;
