@@ -7,6 +7,6 @@ struct Ending {
 };
 
 Ending load_ending(ivec2 pixel) {
-    float t = texelFetch(ending_texture, pixel, 0).x;
+    float t = IM_TEXEL(ending_texture, pixel).x;
     return Ending(abs(t) < ENDS_NOWHERE, t >= ENDS_NOWHERE, t);
 }

@@ -29,7 +29,7 @@ float settled_before(ivec2 block, float low) {
 uniform sampler2D coarse_block_texture;
 
 float settled_before(ivec2 block, float low) {
-    float coarse = texelFetch(coarse_block_texture, block * BLOCK / COARSE_BLOCK, 0).x;
+    float coarse = IM_TEXEL(coarse_block_texture, block * BLOCK / COARSE_BLOCK).x;
     return coarse > low ? coarse : low; // also for NaN
 }
 

@@ -27,7 +27,7 @@ vec4 packed_proof(ProofState s) {
 }
 
 ProofState load_proof() {
-    vec4 kept = texelFetch(proof_texture, ivec2(pixel_centre), 0);
+    vec4 kept = IM_TEXEL(proof_texture, ivec2(pixel_centre));
     bool goes_on = kept.x < 0.0;
     return ProofState(kept.y, kept.z, abs(kept.w), goes_on ? PROOF_UNFINISHED : int(kept.x),
                       kept.w < 0.0, goes_on ? int(-kept.x) - 1 : 0);

@@ -2,6 +2,6 @@
 // pixel_ray() of march/ray.glsl. Needs ending.glsl.
 Ray pixel_ray() {
     Ray ray = whole_ray();
-    ray.t_far = min(ray.t_far, texelFetch(ending_texture, ivec2(pixel_centre), 0).y);
+    ray.t_far = min(ray.t_far, IM_TEXEL(ending_texture, ivec2(pixel_centre)).y);
     return ray;
 }

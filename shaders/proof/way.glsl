@@ -3,7 +3,7 @@
 uniform sampler2D block_texture;
 
 vec4 load_block() {
-    return texelFetch(block_texture, ivec2(pixel_centre) / PROVED_BLOCK, 0);
+    return IM_TEXEL(block_texture, ivec2(pixel_centre) / PROVED_BLOCK);
 }
 
 // The tau up to which the block's proof settled the ray, see block.frag.
