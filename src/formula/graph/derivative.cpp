@@ -125,6 +125,11 @@ private:
             if (slopes_ == Slopes::pointwise_again && g_.is_constant(da, 0)) {
                 return g_.unary(Op::negate, g_.multiply(g_.divide(id, b), db));
             }
+            // Between two points 1/b changes by the product of both reciprocals and the change of
+            // b: one division for slopes of any order.
+            if (slopes_ == Slopes::generalized && g_.is_constant(a, 1))
+                return where_bounded(id,
+                                     g_.unary(Op::negate, g_.multiply(g_.multiply(id, id), db)));
             // (a' - (a/b) b') / b shares the quotient with the value
             return where_bounded(id, g_.divide(g_.subtract(da, g_.multiply(id, db)), b));
         case Op::min:

@@ -2,6 +2,7 @@
 
 #include "formula/graph/continuity.h"
 #include "formula/graph/derivative.h"
+#include "topology/field/reciprocals.h"
 
 namespace isomotion::topology {
 namespace {
@@ -32,8 +33,8 @@ std::vector<NodeId> jet(Graph& g, NodeId field, std::span<const std::size_t> unk
 std::vector<NodeId> jet_over_boxes(Graph& g, NodeId field, std::span<const std::size_t> unknowns,
                                    std::size_t rows) {
     g.fold_exactly();
-    std::vector<NodeId> nodes =
-        jet(g, field, unknowns, rows, Slopes::generalized, Slopes::generalized);
+    std::vector<NodeId> nodes = jet(g, with_reciprocals(g, field), unknowns, rows,
+                                    Slopes::generalized, Slopes::generalized);
     const NodeId gaps = formula::gaps(g, field), kinks = formula::kinks(g, field);
     for (std::size_t k = 0; k < nodes.size(); ++k) {
         nodes[k] = g.add(nodes[k], gaps);
