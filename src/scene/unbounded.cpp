@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "formula/enclosure.h"
+#include "formula/graph/substitute.h"
 #include "scene/halton.h"
 #include "scene/surfaces.h"
 
@@ -34,21 +35,6 @@ std::vector<Point> points_of(const BoundsAt& bounds) {
     return points;
 }
 
-// The nodes below a node, itself included, in the graph's order.
-std::vector<NodeId> nodes_below(const formula::Graph& graph, NodeId root) {
-    std::vector<bool> is_below(root + 1, false);
-    is_below[root] = true;
-    std::vector<NodeId> nodes;
-    for (NodeId id = root + 1; id-- > 0;) {
-        if (!is_below[id]) continue;
-        nodes.push_back(id);
-        for (int k = 0; k < graph[id].arity; ++k)
-            is_below[graph[id].children[std::size_t(k)]] = true;
-    }
-    std::ranges::reverse(nodes);
-    return nodes;
-}
-
 // A part of F that has no bounds at any point although what it is made of has, for one element of
 // an array or for none.
 struct Culprit {
@@ -66,7 +52,7 @@ public:
         const std::uint32_t within = array ? 1u << *array : 0;
         place_.assign(field.root + 1, -1);
         std::vector<NodeId> roots;
-        for (const NodeId id : nodes_below(graph_, field.root)) {
+        for (const NodeId id : formula::nodes_below(graph_, std::array{field.root})) {
             if ((graph_[id].arrays & ~within) != 0) continue;
             place_[id] = int(nodes_.size());
             nodes_.push_back(id);
@@ -164,7 +150,7 @@ std::vector<NamedValue> values_of(const Scene& scene, const SceneAt& now, const 
     const Node& part = graph[of.node];
     const NodeId from = part.op == Op::divide ? part.children[1] : of.node;
     std::vector<NamedValue> values;
-    for (const NodeId id : nodes_below(graph, from)) {
+    for (const NodeId id : formula::nodes_below(graph, std::array{from})) {
         const Node& node = graph[id];
         if (node.op == Op::parameter) {
             values.push_back({animation.tracks()[std::size_t(node.index)].name,

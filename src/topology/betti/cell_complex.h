@@ -4,7 +4,7 @@
 // Where boxes of two sizes meet, faces and edges are those of the smaller ones. Faces may be
 // divided further without the boxes beside them, and edges without the faces. Let S be a subset of
 // the box whose intersection with each cell is empty or contractible. Then S has the homotopy type
-// of the cells that it meets, ordered by inclusion (docs/topology-proofs.md). This class counts its
+// of the cells that it meets, ordered by inclusion (docs/topology-frames.md). This class counts its
 // Betti numbers.
 #pragma once
 

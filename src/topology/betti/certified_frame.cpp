@@ -28,7 +28,7 @@ constexpr int choice_of_elements = 2;
 // About so many columns of vertices are asked together.
 constexpr std::size_t columns_together = 1024;
 
-// One value of each enclosure. The topology is the same for all (docs/topology-proofs.md), so the
+// One value of each enclosure. The topology is the same for all (docs/topology-frames.md), so the
 // signs may be those of any.
 formula::Bindings<Interval> one_of(formula::Bindings<Interval> bindings, std::size_t parameters) {
     for (Interval& value : std::span(bindings.parameters).first(parameters)) value = mid(value);

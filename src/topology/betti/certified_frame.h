@@ -4,7 +4,7 @@
 // interval of G doesn't hold 0), or the gradients at any two of its points differ by less than a
 // right angle (Plantinga and Vegter 2004). Then the surface is isotopic to that of the piecewise
 // linear interpolant on the grid of the planes of all parts' faces, and the Betti numbers are those
-// of the grid's signs. The proof is in docs/topology-proofs.md.
+// of the grid's signs. The proof is in docs/topology-frames.md.
 //
 // The solid is the part of {G < 0} within the bounds, with G as in frame_field.h. A surface may
 // reach the bounds; if it reaches a sphere, cells prove it (cell_frame.h).

@@ -4,7 +4,7 @@
 // Between the points along an axis where its function turns, that function is monotone. So the axes
 // can be stretched until all three functions are linear between these points; then F is linear in
 // each box of the grid of these points, and the Betti numbers are those of the signs at its
-// vertices. The surface may reach the bounds. The proof is in docs/topology-proofs.md.
+// vertices. The surface may reach the bounds. The proof is in docs/topology-frames.md.
 #pragma once
 
 #include "topology/betti/certified_frame.h"
