@@ -65,10 +65,6 @@ std::vector<scene::Method> methods_for_all(const scene::Scene& scene) {
     return methods;
 }
 
-} // namespace
-
-namespace {
-
 // What can be known to fail is told before minutes of measuring.
 void expect_usable(const scene::Scene& surface, const std::vector<scene::Method>& methods) {
     for (const scene::Method method : methods) {

@@ -343,9 +343,8 @@ private:
     double tolerance_here(Unit unit) {
         const auto number = written(peek());
         if (!number || number->value < 0) {
-            refuse("'+-' needs a number in digits, without an exponent: \"at frame 40 +- 2\", \"at "
-                   "1 s +- "
-                   "0.001 s\"");
+            refuse("'+-' needs a number in digits, without an exponent: \"at frame 40 +- 2\", "
+                   "\"at 1 s +- 0.001 s\"");
         }
         ++next_;
         const bool in_frames = take("frames") || take("frame");
