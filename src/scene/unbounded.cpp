@@ -39,8 +39,9 @@ std::vector<Point> points_of(const BoundsAt& bounds) {
 // an array or for none.
 struct Culprit {
     NodeId node = 0;
-    std::optional<std::size_t> element;
-    int others = 0; // elements of which the same is true
+    std::optional<int> array;
+    std::size_t element = 0; // of the array
+    int others = 0;          // elements of which the same is true
 };
 
 // Evaluates those parts of F that depend on the elements of one array, or on none.
@@ -113,7 +114,7 @@ std::optional<Culprit> culprit(const formula::Field& field, std::optional<int> a
     };
     if (!array) {
         const auto k = first_blamed(parts.blamed(bindings, points));
-        return k ? std::optional(Culprit{parts.node(*k), {}, 0}) : std::nullopt;
+        return k ? std::optional(Culprit{parts.node(*k), {}, 0, 0}) : std::nullopt;
     }
     const formula::ArrayColumns<Interval> all = bindings.arrays[std::size_t(*array)];
     auto& one = bindings.arrays[std::size_t(*array)];
@@ -131,7 +132,7 @@ std::optional<Culprit> culprit(const formula::Field& field, std::optional<int> a
             found->others += blamed[blamed_part];
         } else if (const auto k = first_blamed(blamed)) {
             blamed_part = *k;
-            found = Culprit{parts.node(*k), i, 0};
+            found = Culprit{parts.node(*k), array, i, 0};
         }
     }
     return found;
@@ -156,11 +157,11 @@ std::vector<NamedValue> values_of(const Scene& scene, const SceneAt& now, const 
             values.push_back({animation.tracks()[std::size_t(node.index)].name,
                               now.bindings.parameters[std::size_t(node.index)]});
         }
-        if (node.op != Op::element || !of.element) continue;
+        if (node.op != Op::element || node.index != of.array) continue;
         const auto a = std::size_t(node.index), f = std::size_t(node.second);
         const animation::Array& array = animation.arrays()[a];
-        values.push_back({fmt::format("{}.{}[{}]", array.name, array.fields[f].name, *of.element),
-                          now.bindings.arrays[a].fields[f][*of.element]});
+        values.push_back({fmt::format("{}.{}[{}]", array.name, array.fields[f].name, of.element),
+                          now.bindings.arrays[a].fields[f][of.element]});
     }
     return values;
 }
@@ -173,6 +174,8 @@ std::optional<std::string> why_unbounded(const Scene& scene, const SceneAt& now)
     const std::vector<int> counts = now.bindings.counts();
     if (formula::cost(field.value, counts).operations > most_work / most_points)
         return std::nullopt;
+    // Parts adds a node for each.
+    if (2 * field.graph.size() > formula::limits::graph_nodes) return std::nullopt;
     const formula::EnclosurePrograms programs = formula::enclosure_programs(field);
     const std::vector<Point> points = points_of(now.bounds);
     formula::Evaluator<Interval> value(programs.value), jumps(programs.jumps);
@@ -193,7 +196,10 @@ std::optional<std::string> why_unbounded(const Scene& scene, const SceneAt& now)
     std::string told = fmt::format("{} is {:g}", place_of(scene, values[0].name), values[0].value);
     for (std::size_t k = 1; k < values.size(); ++k)
         told += fmt::format(", {} {:g}", values[k].name, values[k].value);
-    if (found->others > 0) told += fmt::format(" (and {} more like it)", found->others);
+    const bool is_of_element = std::ranges::any_of(
+        values, [](const NamedValue& value) { return value.name.ends_with(']'); });
+    if (is_of_element && found->others > 0)
+        told += fmt::format(" (and {} more like it)", found->others);
     const bool is_divisor = field.graph[found->node].op == Op::divide;
     return fmt::format("{} at t = {}: {}F has no value or may jump at every point that was tried, "
                        "so that no zero is found",

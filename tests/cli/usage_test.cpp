@@ -21,7 +21,7 @@ const WrongUsage wrong_usages[] = {
     {"size of letters", {"--size", "axb"}, "--size axb: write WIDTHxHEIGHT"},
     {"size of three", {"--size", "4x4x4"}, "--size 4x4x4: write WIDTHxHEIGHT"},
     {"size zero", {"--size", "0x64"}, "--size 0x64: write WIDTHxHEIGHT"},
-    {"size too large", {"--size", "99999x64"}, "output.size: must be [width, height]"},
+    {"size too large", {"--size", "99999x64"}, "--size 99999x64: a picture has at most 16384"},
     {"unknown method", {"--method", "guess"}, "--method: there is no method 'guess'; known: march"},
     {"step of letters", {"--step", "small"}, "--step small: write a length above 0"},
     {"negative step", {"--step", "-1"}, "--step -1: write a length above 0"},

@@ -73,11 +73,13 @@ def is_refused(given, folder, checks, file, *words, more=()):
 def refusals(given, folder, checks):
     balls = "sum(b, exp(-9*((x-cx)^2 + y^2 + z^2))) - 1"
     is_refused(given, folder, checks, scene(folder, "many.toml", formula=balls, more=
-               "[arrays.b]\ncount = 30000\ncx = 'i'"), "many.toml: ", "30000 elements", "at most 20000")
+               "[arrays.b]\ncount = 30000\ncx = 'i'"), "many.toml:9: arrays.b.count: ",
+               "30000 elements", "at most 20000")
     # No kernels of a distance: they cannot be found by place.
     is_refused(given, folder, checks, scene(folder, "all.toml",
                formula="sum(b, sin(x*cx)*sin(y*z)) - 1", more=
-               "[arrays.b]\ncount = 5000\ncx = 'i'"), "all.toml: ", "5000 elements", "at most 1000")
+               "[arrays.b]\ncount = 5000\ncx = 'i'"), "all.toml:9: arrays.b.count: ",
+               "5000 elements", "at most 1000")
     is_refused(given, folder, checks, scene(folder, "much.toml", formula=balls, frames=25000, more=
                "[arrays.b]\ncount = 1000\ncx = 'i + t'"), "much.toml: ", "MB", "at most 32")
     is_refused(given, folder, checks, scene(folder, "glow.toml", more="[glow]\nstrength = 1"),
@@ -85,6 +87,8 @@ def refusals(given, folder, checks):
     is_refused(given, folder, checks, scene(folder, "quotes.toml", formula="x^2 - '1'"),
                "quotes.toml:6: surface.formula")
     is_refused(given, folder, checks, os.path.join(folder, "none.toml"), "none.toml")
+    is_refused(given, folder, checks, scene(folder, "back.toml"), "unknown back end 'foo'",
+               more=["--backend", "foo"])
     both = pages.run(given.program, "page", "torus", "--gallery", folder=folder)
     checks.equal(both.returncode, 2, "a scene and the gallery")
     neither = pages.run(given.program, "page", folder=folder)

@@ -7,6 +7,7 @@
 #include <iterator>
 #include <numeric>
 #include <set>
+#include <span>
 #include <system_error>
 
 #include <fmt/format.h>
@@ -412,19 +413,34 @@ bool uses_array(const Scene& surface, std::string_view name) {
     });
 }
 
-// A file may hold arrays that nothing uses; a count that was set is to have an effect.
-void refuse_unused_arrays(const toml::table& root, const Scene& scene) {
-    const toml::table* arrays = root["arrays"].as_table();
+// `key`: of the table, "arrays" or "surfaces.ring.arrays"; the surfaces that may use them.
+void refuse_unused_arrays(const toml::node* table, const std::string& key,
+                          std::span<const Scene* const> surfaces) {
+    const toml::table* arrays = table ? table->as_table() : nullptr;
     if (!arrays) return;
     for (const auto& [name, node] : *arrays) {
         const toml::table* array = node.as_table();
         const toml::node* count = array ? array->get("count") : nullptr;
-        if (!count || position(*count) != "--set" || uses_array(scene, name.str())) continue;
-        const bool is_of_others = std::ranges::any_of(
-            scene.others, [&](const Scene& other) { return uses_array(other, name.str()); });
-        if (is_of_others) continue;
-        fail(*count, fmt::format("arrays.{}.count", name.str()),
+        if (!count || position(*count) != "--set") continue;
+        const bool is_used = std::ranges::any_of(
+            surfaces, [&](const Scene* surface) { return uses_array(*surface, name.str()); });
+        if (is_used) continue;
+        fail(*count, fmt::format("{}.{}.count", key, name.str()),
              "no formula and no colour sums or picks over an array of this name");
+    }
+}
+
+// A file may hold arrays that nothing uses; a count that was set is to have an effect.
+void refuse_unused_arrays(const toml::table& root, const Scene& scene) {
+    std::vector<const Scene*> surfaces{&scene};
+    for (const Scene& other : scene.others) surfaces.push_back(&other);
+    refuse_unused_arrays(root.get("arrays"), "arrays", surfaces);
+    if (!lists_surfaces(root)) return;
+    for (std::size_t k = 0; k < surfaces.size(); ++k) {
+        const toml::table& own = *root.get("surfaces")->as_array()->get(k)->as_table();
+        refuse_unused_arrays(own.get("arrays"),
+                             fmt::format("surfaces.{}.arrays", surfaces[k]->surface.label),
+                             std::span(surfaces).subspan(k, 1));
     }
 }
 

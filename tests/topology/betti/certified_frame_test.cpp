@@ -167,10 +167,18 @@ TEST(CertifiedFrame, ASphereThatIsReached) {
     EXPECT_FALSE(proved("1 - x^2 - y^2 - z^2"));
 }
 
-// Next to 10^8 doubles are further apart than values of this plane, and vertices lie on it.
+// Doubles next to 10^8 are further apart than the values of the flat ball at vertices near it. Its
+// middle and the bounds' walls are free, and its gradients agree, so that nothing else refuses it.
 TEST(CertifiedFrame, SignsLostInRoundingAreNotProved) {
-    const CertifiedFrame frame = certified(still("(1e8 + 1e-12*(x + 0.3*y - 0.01)) - 1e8", box));
-    EXPECT_FALSE(frame.betti);
+    const auto ball = [](double slope) {
+        const std::string formula = fmt::format("(1e8 + {}*(x^2 + y^2 + z^2 - 0.3)) - 1e8", slope);
+        return certified(still(formula, box));
+    };
+    const CertifiedFrame steep = ball(1e-4), flat = ball(2e-7);
+    ASSERT_TRUE(steep.betti) << describe(steep);
+    EXPECT_EQ(*steep.betti, (Betti{1, 0, 0}));
+    EXPECT_FALSE(flat.betti);
+    EXPECT_EQ(flat.why, "a sign is lost in rounding");
 }
 
 // An enclosure of the parameters proves all frames in it.

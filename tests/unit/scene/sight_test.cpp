@@ -56,6 +56,11 @@ TEST_F(Sighting, AValueByWhichFMayJumpAnywhereIsNamed) {
     EXPECT_EQ(told(balls, of_radii("[0.5, -0.5, 1e-6]")), "");
     EXPECT_THAT(told("least(p, abs(x - cx)/r) - 0.5", of_radii("'2 - i'")),
                 HasSubstr("arrays.p.r[2] is 0"));
+    EXPECT_THAT(told(balls, of_radii("0")), HasSubstr(":7: arrays.p.r is 0 at t = 0: a divisor"));
+    // Within a sum over other elements, which are more.
+    EXPECT_THAT(told("sum(p, sum(q, exp(-(x - cx - d)^2))/(sum(q, d) - r)) - 1",
+                     of_radii("[9, 6, 3]") + "\n[arrays.q]\ncount = 4\nd = 'i'"),
+                HasSubstr("arrays.p.r[1] is 6 at t = 0: a divisor"));
     EXPECT_THAT(told("x^2/m + y^2 - 1", "[parameters]\nm = 't'\n"),
                 HasSubstr(":5: parameters.m is 0 at t = 0: a divisor"));
     EXPECT_THAT(told("x + log(k*(y^2 + 1))", "[parameters]\nk = -1\n"),

@@ -58,6 +58,9 @@ TEST(Surfaces, MistakesThatWereSetNameTheirSurface) {
                 HasSubstr("--set: surfaces.2.transform.scale: "));
     EXPECT_THAT(message_of(two, {"surfaces.ball.formula=x +"}),
                 HasSubstr("--set: surfaces.ball.formula: "));
+    EXPECT_THAT(message_of(two, {"surfaces.2.arrays.p.count=3"}),
+                HasSubstr("--set: surfaces.ring.arrays.p.count: no formula and no colour sums"));
+    EXPECT_THAT(message_of(two, {"arrays.p.count=3"}), HasSubstr("--set: arrays.p.count: no "));
     EXPECT_EQ(message_of(two, {"material.colour=[1, 0, 0]"}),
               "--set: material.colour: unknown key; did you mean 'color'?");
 }
