@@ -24,6 +24,11 @@ public:
             field_->over(near, some, of_some);
         });
     }
+    void tighten(std::span<const SpaceBox> boxes, std::span<ValueAndGradient> out) {
+        by_part<ValueAndGradient>(boxes, out, [&](const auto& near, auto some, auto of_some) {
+            field_->tighten(near, some, of_some);
+        });
+    }
     void values(std::span<const SpaceBox> boxes, std::span<Interval> out) {
         by_part<Interval>(boxes, out, [&](const auto& near, auto some, auto of_some) {
             field_->values(near, some, of_some);
@@ -43,8 +48,11 @@ private:
         std::vector<T> of_some;
         for (const auto& [elements, which] : which_are_in) {
             some.clear();
-            for (std::size_t k : which) some.push_back(boxes[k]);
-            of_some.resize(some.size());
+            of_some.clear();
+            for (const std::size_t k : which) {
+                some.push_back(boxes[k]);
+                of_some.push_back(out[k]);
+            }
             evaluate(*elements, std::span<const SpaceBox>(some), std::span<T>(of_some));
             for (std::size_t k = 0; k < which.size(); ++k) out[which[k]] = of_some[k];
         }
@@ -108,6 +116,7 @@ FieldSnapshot field_snapshot(std::shared_ptr<FrameField> field, const EnclosedBo
     snapshot.high = bounds.high;
     const auto parts = std::make_shared<Parts>(std::move(field), snapshot.box);
     snapshot.over = [parts](auto boxes, auto out) { parts->over(boxes, out); };
+    snapshot.tighten = [parts](auto boxes, auto out) { parts->tighten(boxes, out); };
     snapshot.values = [parts](auto boxes, auto out) { parts->values(boxes, out); };
     snapshot.hessian = [parts](const SpaceBox& box) { return parts->hessian(box); };
     const auto squared_distance = [centre = bounds.centre](const SpaceBox& box) {

@@ -16,6 +16,8 @@ namespace isomotion::topology {
 struct FieldSnapshot {
     std::function<void(std::span<const SpaceBox>, std::span<ValueAndGradient>)> over;
     std::function<void(std::span<const SpaceBox>, std::span<formula::Interval>)> values;
+    // Narrows enclosures to second order.
+    std::function<void(std::span<const SpaceBox>, std::span<ValueAndGradient>)> tighten;
     std::function<SpaceHessian(const SpaceBox&)> hessian;
     SpaceBox box;
     SpaceBox low, high; // the walls of the bounds, or of the box around them

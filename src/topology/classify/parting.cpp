@@ -192,23 +192,67 @@ private:
                 middles.push_back(point_box(middle(boxes.back())));
             }
         }
-        const std::vector<ValueAndGradient> over = region_.over(boxes);
-        const std::vector<Interval> at_middles = region_.values(middles);
+        const std::vector<Interval> values = narrow_values(keys, boxes, middles);
         for (std::size_t k = 0; k < boxes.size(); ++k) {
-            Interval value = at_middles[k];
-            for (std::size_t i = 0; i < 3; ++i)
-                value = value + over[k].gradient[i] * (boxes[k][i] - middles[k][i]);
             add(keys[k], boxes[k]);
-            judge(boxes_.back(), over[k].value, value);
+            judge(boxes_.back(), values[k]);
             marks_.back() = {boxes_.back().state == State::in, boxes_.back().is_parted};
         }
     }
 
-    // Judges a box by two enclosures of H over it.
-    void judge(One& one, const Interval& natural, const Interval& mean) const {
-        const bool is_low = natural.hi < 0 || mean.hi < 0;
-        const bool is_high = natural.lo > 0 || mean.lo > 0;
-        one.state = is_low ? State::in : is_high ? State::out : State::open;
+    // Encloses H over boxes, those better whose sign is not known at once: by its gradient, then by
+    // its second derivatives.
+    std::vector<Interval> narrow_values(std::span<const BoxKey> keys,
+                                        std::span<const SpaceBox> boxes,
+                                        std::span<const SpaceBox> middles) {
+        std::vector<ValueAndGradient> over = region_.over(boxes), of_some;
+        std::vector<std::size_t> which;
+        std::vector<SpaceBox> some;
+        const auto choose = [&](std::span<const SpaceBox> from, auto&& is_chosen) {
+            which.clear();
+            some.clear();
+            for (std::size_t k = 0; k < boxes.size(); ++k) {
+                if (!contains(over[k].value, 0.0) || !is_chosen(keys[k].level)) continue;
+                which.push_back(k);
+                some.push_back(from[k]);
+            }
+        };
+        choose(middles, [](int) { return true; });
+        const std::vector<Interval> at_middles = region_.values(some);
+        for (std::size_t s = 0; s < which.size(); ++s) {
+            const std::size_t k = which[s];
+            Interval value = at_middles[s];
+            for (std::size_t i = 0; i < 3; ++i)
+                value = value + over[k].gradient[i] * (boxes[k][i] - middles[k][i]);
+            over[k].value = intersect(over[k].value, value);
+        }
+        choose(boxes, [&](int level) { return is_worth_tightening(level); });
+        for (const std::size_t k : which) of_some.push_back(over[k]);
+        region_.tighten(some, of_some);
+        for (std::size_t s = 0; s < which.size(); ++s) {
+            over[which[s]].value = of_some[s].value;
+            Tightened& tightened = tightened_[std::size_t(keys[which[s]].level)];
+            ++tightened.tried;
+            tightened.ended += !contains(of_some[s].value, 0.0);
+        }
+        std::vector<Interval> values;
+        for (const ValueAndGradient& one : over) values.push_back(one.value);
+        return values;
+    }
+
+    // Second derivatives tell the sign of small boxes, and cost more than they save where they
+    // don't: what they did for boxes of the same size decides, and every sixteenth is tried.
+    bool is_worth_tightening(int level) {
+        constexpr int tried_to_judge = 16, one_of = 16;
+        constexpr double worth = 0.05;
+        Tightened& tightened = tightened_[std::size_t(level)];
+        return tightened.tried < tried_to_judge || tightened.ended >= worth * tightened.tried ||
+               ++tightened.skipped % one_of == 0;
+    }
+
+    // Judges a box by an enclosure of H over it.
+    void judge(One& one, const Interval& value) const {
+        one.state = value.hi < 0 ? State::in : value.lo > 0 ? State::out : State::open;
         if (region_.is_solid()) {
             // A solid ends at the bounds.
             if (region_.is_all_outside(one.where)) one.state = State::out;
@@ -373,6 +417,10 @@ private:
     std::vector<std::optional<std::vector<std::size_t>>> about_; // of each box, where it is known
     std::vector<Reached> reached_;                               // each half, by the last search
     std::unordered_map<std::uint64_t, std::size_t> numbers_;
+    struct Tightened {
+        int tried = 0, ended = 0, skipped = 0;
+    };
+    std::array<Tightened, deepest + 1> tightened_{}; // boxes of each size
 };
 
 } // namespace

@@ -7,12 +7,22 @@ using formula::Interval;
 std::vector<ValueAndGradient> SublevelSet::over(std::span<const SpaceBox> boxes) const {
     std::vector<ValueAndGradient> h(boxes.size());
     snapshot_.over(boxes, h);
-    if (is_solid_) return h;
-    for (ValueAndGradient& one : h) {
+    of_region(h);
+    return h;
+}
+
+void SublevelSet::tighten(std::span<const SpaceBox> boxes, std::span<ValueAndGradient> h) const {
+    of_region(h);
+    snapshot_.tighten(boxes, h);
+    of_region(h);
+}
+
+void SublevelSet::of_region(std::span<ValueAndGradient> enclosures) const {
+    if (is_solid_) return;
+    for (ValueAndGradient& one : enclosures) {
         one.value = -one.value;
         for (Interval& component : one.gradient) component = -component;
     }
-    return h;
 }
 
 std::vector<Interval> SublevelSet::values(std::span<const SpaceBox> boxes) const {

@@ -25,6 +25,8 @@ public:
     }
 
     std::vector<ValueAndGradient> over(std::span<const SpaceBox> boxes) const;
+    // Narrows such enclosures of H by its second derivatives, which takes longer.
+    void tighten(std::span<const SpaceBox> boxes, std::span<ValueAndGradient> h) const;
     std::vector<formula::Interval> values(std::span<const SpaceBox> boxes) const;
     SpaceHessian hessian(const SpaceBox& box) const;
 
@@ -37,6 +39,9 @@ public:
     bool is_all_outside(const SpaceBox& box) const { return snapshot_.is_outside(box); }
 
 private:
+    // From G to H, or back.
+    void of_region(std::span<ValueAndGradient> enclosures) const;
+
     const FieldSnapshot& snapshot_;
     bool is_solid_;
 };

@@ -305,7 +305,8 @@ private:
         if (const auto y = middle_inverse(slopes, int(n_))) {
             const Krawczyk k = krawczyk(box, m, residual(at_m, n_), slopes, *y, int(n_));
             if (k.is_empty) return found_.work.count(Test::krawczyk);
-            if (k.is_inside || k.contraction < 1 || spatial_size(box) < 1e-3) {
+            const bool may_be_alone = k.contraction < 1 && holds_middle(box, k);
+            if (k.is_inside || may_be_alone || spatial_size(box) < 1e-3) {
                 if (const auto point = isolate(field_, enclosures_, numbers_, box)) {
                     found_.points.push_back(*point);
                     return found_.work.count(Test::isolated);
@@ -324,6 +325,15 @@ private:
             }
         }
         divide(box, slopes);
+    }
+
+    // Whether the box holds the middle of its image, which is about where its root would be. To
+    // isolate a root takes all elements of sums, and fails where there is none.
+    bool holds_middle(const Box& box, const Krawczyk& k) const {
+        for (std::size_t i = 0; i < n_; ++i) {
+            if (!contains(box[i], mid(k.image[i]))) return false;
+        }
+        return true;
     }
 
     // Halves twice the side by which the equations vary most, where each equation counts by its
