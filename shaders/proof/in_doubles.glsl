@@ -26,5 +26,6 @@ float toward_zero(double x) {
 }
 
 // The t at which a piece is sampled: its beginning; or the root, where floats were too coarse.
+const bool SAMPLES_ROOTS = true;
 double sampled_at(ProofState s, double low) { return s.at_root ? double(s.settled) : low; }
 double uncertain_at_root(ProofState s, dvec2 sampled) { return max(-sampled.x, sampled.y); }

@@ -4,8 +4,9 @@
 // up to `error`, and its slope in s up to `slope_error`. Needs interval/arithmetic.glsl.
 //
 // Coefficients of products are off by at most 4 times 2^-24 of the product of both sums of sizes,
-// those of sums by 2^-24 of themselves; slopes in s by twice that. Terms of third degree have
-// slopes of at most three times their size, terms of fourth degree four times.
+// those of sums by 2^-24 of themselves; slopes in s by twice that. Terms of third and fourth degree
+// are products of terms of lower degree, and so are their slopes: pieces that hold roots are thin, so
+// that F changes little in s.
 #undef MODEL
 #define MODEL Model
 struct Model {
@@ -32,9 +33,14 @@ float md_size(Model a) {
     return abs(a.c) + a.linear + a.square;
 }
 
+// The steepest slope in s of terms of second degree.
+float md_turn(Model a) {
+    return 2.0 * abs(a.d.z) + abs(a.o.y) + abs(a.o.z);
+}
+
 // The steepest slope of the model in s.
 float md_slope(Model a) {
-    return a.linear + 2.0 * a.square;
+    return abs(a.l.z) + md_turn(a);
 }
 
 Model md_negate(Model a) {
@@ -90,7 +96,11 @@ Model md_multiply(Model a, Model b) {
     float cubic = a.linear * b.square + a.square * b.linear, quartic = a.square * b.square;
     float rounding = 3.0 * IM_ROUNDING * size_a * size_b;
     float error = cubic + quartic + a.error * (size_b + b.error) + size_a * b.error + rounding;
-    float slope_error = 3.0 * cubic + 4.0 * quartic + a.slope_error * (size_b + b.error) +
+    float turn_a = md_turn(a), turn_b = md_turn(b);
+    float cubic_slope = abs(a.l.z) * b.square + a.linear * turn_b + turn_a * b.linear +
+                        a.square * abs(b.l.z);
+    float quartic_slope = turn_a * b.square + a.square * turn_b;
+    float slope_error = cubic_slope + quartic_slope + a.slope_error * (size_b + b.error) +
                         a.error * (md_slope(b) + b.slope_error) + size_a * b.slope_error +
                         md_slope(a) * b.error + 2.0 * rounding;
     return md_model(c, l, d, o, md_up(error), md_up(slope_error));
@@ -105,7 +115,8 @@ Model md_square(Model a) {
     float size = md_size(a), cubic = 2.0 * a.linear * a.square, quartic = a.square * a.square;
     float rounding = 3.0 * IM_ROUNDING * size * size;
     float error = cubic + quartic + a.error * (2.0 * size + a.error) + rounding;
-    float slope_error = 3.0 * cubic + 4.0 * quartic + 2.0 * a.slope_error * (size + a.error) +
+    float turn = md_turn(a), cubic_slope = 2.0 * (abs(a.l.z) * a.square + a.linear * turn);
+    float slope_error = cubic_slope + 2.0 * a.square * turn + 2.0 * a.slope_error * (size + a.error) +
                         2.0 * a.error * md_slope(a) + 2.0 * rounding;
     return md_model(c, l, d, o, md_up(error), md_up(slope_error));
 }

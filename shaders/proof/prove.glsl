@@ -39,7 +39,9 @@ ProofState settle(ProofState s, ProofRay ray, bool hit, REAL t, REAL value) {
 ProofState prove_piece(ProofState s, ProofRay ray, bool hit) {
     REAL low = float(max(s.settled - s.piece, ray.t_near));
     REAL high = s.at_root ? s.settled + min(s.piece, tube.w) : s.settled;
-    REAL2 there = value_at(ray, sampled_at(s, low));
+    // Loops over elements end at once where no ray goes through them.
+    REAL2 there = REAL2(0.0);
+    if (SAMPLES_ROOTS || !s.at_root) there = value_at(ray, sampled_at(s, low));
     REAL uncertain = uncertain_at_root(s, there);
     REAL4 f = bounds_of_piece(ray, low, high);
     s.pieces += 1;
@@ -105,7 +107,7 @@ ProofState prove_piece(ProofState s, ProofRay ray, bool hit) {
 ProofState prove_pieces(ProofState s, ProofRay ray, bool hit) {
     int turns = pieces_per_pass;
     do {
-        if (s.outcome != PROOF_UNFINISHED) break;
+        if (turns <= 0 || s.outcome != PROOF_UNFINISHED) break;
         s = prove_piece(s, ray, hit);
         turns = HAS_ELEMENTS_LEFT ? turns - 1 : 0;
     } while (turns > 0 && s.outcome == PROOF_UNFINISHED);

@@ -64,6 +64,13 @@ void DepthMask::set_and_paint(const Target& bound, const std::function<void()>& 
     draw();
 }
 
+void DepthMask::close() const {
+    glBindFramebuffer(GL_FRAMEBUFFER, target_.id());
+    glDepthMask(GL_TRUE);
+    constexpr GLfloat closed = 0;
+    glClearBufferfv(GL_DEPTH, 0, &closed);
+}
+
 void DepthMask::remove(const Target& bound, const std::function<void()>& draw) const {
     bound.bind();
     const Testing masked(GL_LESS, true);

@@ -20,6 +20,8 @@ public:
     /// written.
     void set(const std::function<void()>& draw) const { set(target_, draw); }
     void set(const Target& bound, const std::function<void()>& draw) const;
+    /// Masks all pixels.
+    void close() const;
     /// The same, and `draw` writes colours, too.
     void set_and_paint(const Target& bound, const std::function<void()>& draw) const;
     /// Removes pixels that `draw` does not discard. `draw` must not write depth; then it doesn't

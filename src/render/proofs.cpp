@@ -1,6 +1,7 @@
 #include "render/proofs.h"
 
 #include <algorithm>
+#include <array>
 #include <stdexcept>
 
 #include <fmt/format.h>
@@ -51,6 +52,14 @@ int pieces_of_draw(const formula::Cost& piece, double rays) {
     const double by_loops = loop_iterations_per_pass / (1 + piece.iterations);
     const double by_work = operations_per_draw / (rays * (piece.operations + 100));
     return int(std::clamp(std::min(by_work, by_loops), 1.0, double(Proofs::most_pieces)));
+}
+
+// The same of a draw that bounds F at the roots first, which takes no more terms than a piece; it
+// may be none.
+int pieces_after_beginning(const formula::Cost& piece, double rays) {
+    const double by_loops = loop_iterations_per_pass / (1 + piece.iterations) - 1;
+    const int pieces = pieces_of_draw(piece, rays);
+    return piece.iterations > 0 ? std::min(pieces, int(by_loops)) : pieces;
 }
 
 int blocks_across(int pixels, int block = synthesis::proved_block) {
@@ -109,6 +118,7 @@ Proofs::Proofs(const synthesis::Passes& passes, const scene::Scene& scene, const
     , of_blocks_(blocks_across(plan.tile_width), blocks_across(plan.tile_height))
     , kept_(plan.tile_width, plan.tile_height)
     , going_on_(plan.tile_width, plan.tile_height)
+    , block_mask_(of_blocks_)
     , mask_(going_on_)
     , frame_(sizeof(FrameBlock)) {
     mask_.serve(kept_);
@@ -141,32 +151,57 @@ void Proofs::draw_and_keep(PassTable& table, const gpu::Program& program,
 }
 
 void Proofs::prove_blocks(PassTable& table, const gpu::Rectangle& tile) {
-    const auto draw_blocks = [&](Role role, int block, const gpu::Target& into) {
-        table.draw(
-            table.program(role),
-            {tile.x, tile.y, blocks_across(tile.width, block), blocks_across(tile.height, block)},
-            into);
+    const auto draw_blocks = [&](Role role, int block) {
+        table.draw(table.program(role), {tile.x, tile.y, blocks_across(tile.width, block),
+                                         blocks_across(tile.height, block)});
     };
     if (passes_.has(Role::coarse_block_proof)) {
-        draw_blocks(Role::coarse_block_proof, synthesis::coarse_proved_block, of_coarse_blocks_);
+        of_coarse_blocks_.bind();
+        draw_blocks(Role::coarse_block_proof, synthesis::coarse_proved_block);
         table.bind("coarse_block_texture", of_coarse_blocks_.texture(0));
     }
-    draw_blocks(Role::block_proof, synthesis::proved_block, of_blocks_);
+    const auto prove = [&] { draw_blocks(Role::block_proof, synthesis::proved_block); };
+    if (passes_.has(Role::block_mask)) {
+        block_mask_.set_and_paint(of_blocks_,
+                                  [&] { draw_blocks(Role::block_mask, synthesis::proved_block); });
+        block_mask_.apply(prove);
+    } else {
+        of_blocks_.bind();
+        prove();
+    }
     const int across = blocks_across(tile.width), up = blocks_across(tile.height);
     blocks_.resize(4 * std::size_t(across) * std::size_t(up));
     of_blocks_.read(0, 0, 0, across, up, blocks_);
 }
 
-void Proofs::begin(PassTable& table, const OpenSquares& left, const gpu::Rectangle& tile) {
-    open_.set(left.areas);
-    mask_.set_and_paint(kept_, [&] { table.draw(table.program(Role::first_proof), tile, open_); });
+void Proofs::begin(PassTable& table, const ProvedBlocks& blocks, const gpu::Rectangle& tile) {
+    mask_.close();
+    // A texture can't be read and written at once.
+    table.bind("proof_texture", going_on_.texture(0));
+    if (!blocks.monotone.areas.empty()) {
+        open_.set(blocks.monotone.areas);
+        mask_.set(kept_, [&] { table.draw(table.program(Role::monotone_mask), tile, open_); });
+        mask_.apply(kept_, [&] { table.draw(table.program(Role::first_proof), tile, open_); });
+    }
+    table.bind("proof_texture", kept_.texture(0));
+    open_.set(blocks.left.areas);
+    mask_.set(going_on_, [&] { table.draw(table.program(Role::ray_mask), tile, open_); });
+    table.bind("proof_texture", going_on_.texture(0));
     const gpu::Program& program = table.program(Role::proof);
-    program.set("pieces_per_pass", pieces_of_draw(natural_.cost, left.pixels));
-    program.set("start", int(Start::go_on));
-    draw_and_keep(table, program, tile);
+    program.set("pieces_per_pass", pieces_after_beginning(natural_.cost, blocks.left.pixels));
+    program.set("start", int(Start::begin));
+    // Software renderers run the shader twice for pixels where two triangles meet, as those of each
+    // square do.
+    open_.set(std::array{gpu::Rectangle{0, 0, tile.width, tile.height}});
+    mask_.apply(kept_, [&] { table.draw(program, tile, open_); });
 }
 
-void Proofs::read(const Areas& areas) {
+void Proofs::read(const Areas& areas, const gpu::Rectangle& tile) {
+    read_kept(areas);
+    write_proved_blocks(blocks_, tile.width, areas, texels_);
+}
+
+void Proofs::read_kept(const Areas& areas) {
     const auto floats_of = [](const gpu::Rectangle& area) {
         return 4 * std::size_t(area.width) * std::size_t(area.height);
     };
@@ -260,13 +295,13 @@ ProofCounts Proofs::prove(PassTable& table, const ProofRays& rays, const gpu::Te
     ProofCounts counts = blocks.outside;
     if (areas.empty()) return counts;
 
-    begin(table, blocks.left, tile);
-    read(areas);
+    begin(table, blocks, tile);
+    read(areas, tile);
     const OpenSquares unfinished =
         open_squares(areas, texels_, [](float outcome) { return outcome < 0; });
     if (unfinished.pixels > 0) {
         prove_rays(table, natural_, rays.of_floats, Start::go_on, unfinished, tile);
-        read(areas);
+        read(areas, tile);
     }
     const OpenSquares undecided =
         open_squares(areas, texels_, [](float outcome) { return outcome >= float(Proof::hidden); });
@@ -275,7 +310,7 @@ ProofCounts Proofs::prove(PassTable& table, const ProofRays& rays, const gpu::Te
             const bool in_doubles = again->role == Role::double_proof;
             prove_rays(table, *again, in_doubles ? rays.of_doubles : rays.of_floats, Start::again,
                        undecided, tile);
-            read(areas);
+            read(areas, tile);
         }
     }
     const ProofCounts in_areas = count_proofs(texels_);

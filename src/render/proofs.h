@@ -23,6 +23,7 @@
 #include "render/pass_table.h"
 #include "render/proof_outcome.h"
 #include "render/proof_rays.h"
+#include "render/proved_blocks.h"
 
 namespace isomotion::render {
 
@@ -46,7 +47,7 @@ public:
                       const gpu::Rectangle& tile, std::span<float> record);
 
 private:
-    enum class Start { go_on, again };
+    enum class Start { go_on, again, begin };
     // A pass of single rays' proofs, with the cost of a piece.
     struct Pieces {
         synthesis::Role role;
@@ -60,11 +61,12 @@ private:
     void draw_and_keep(PassTable& table, const gpu::Program& program, const gpu::Rectangle& tile);
     // Proves blocks of rays, and reads their proofs.
     void prove_blocks(PassTable& table, const gpu::Rectangle& tile);
-    // Begins proofs of the single rays in the squares that blocks left, and draws a pass of them,
-    // in which most end.
-    void begin(PassTable& table, const OpenSquares& left, const gpu::Rectangle& tile);
-    // Reads the proofs of areas, area by area.
-    void read(const Areas& areas);
+    // Begins proofs of the single rays that blocks left, and draws a pass of them, in which most
+    // end.
+    void begin(PassTable& table, const ProvedBlocks& blocks, const gpu::Rectangle& tile);
+    // Reads the proofs of the squares that blocks left, area by area.
+    void read(const Areas& areas, const gpu::Rectangle& tile);
+    void read_kept(const Areas& areas);
     // Removes rays whose proofs have ended from the mask; returns their number.
     std::uint32_t take_finished_off(PassTable& table, const gpu::Rectangle& tile);
     // Draws passes until the proofs that are open are finished.
@@ -78,6 +80,7 @@ private:
     Pieces natural_;
     std::optional<std::optional<Pieces>> closer_; // set once it was needed
     gpu::Target of_coarse_blocks_, of_blocks_, kept_, going_on_;
+    gpu::DepthMask block_mask_;
     gpu::DepthMask mask_; // for the last two targets
     gpu::UniformBuffer frame_;
     gpu::Rectangles open_;                        // what passes of single rays are drawn over

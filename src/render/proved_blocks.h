@@ -15,6 +15,7 @@ inline constexpr float block_misses = -1, block_hits = -2;
 
 struct ProvedBlocks {
     OpenSquares left;      // with a block that is not decided, whose pixels are open
+    OpenSquares monotone;  // those with a block in which F is proved monotone around the roots
     ProofCounts outside{}; // of the pixels elsewhere
 };
 
@@ -25,5 +26,9 @@ ProvedBlocks proved_blocks(std::span<const float> blocks, int width, int height)
 // where nothing is.
 void write_proved_blocks(std::span<const float> blocks, int width, int height,
                          std::span<float> record);
+
+// Writes the same over what is decided in `areas`, whose records `texels` holds one after another.
+void write_proved_blocks(std::span<const float> blocks, int width,
+                         std::span<const gpu::Rectangle> areas, std::span<float> texels);
 
 } // namespace isomotion::render

@@ -48,10 +48,7 @@ void add_boxes(ShaderText& text, const scene::Scene& scene, const Passes& passes
     } else if (parent && has_lists(passes)) {
         text.file("march/read_lists.glsl");
     }
-    if (parent) {
-        text.define("PARENT_BLOCK", parent->block);
-        text.define("PARENT_SQUARE_BITS", parent->square_bits);
-    }
+    if (parent) define_parent(text, *parent);
     text.file(parent ? "march/beam_of_parent.glsl" : "march/beam_whole.glsl");
 }
 
@@ -136,10 +133,18 @@ Pass beam_pass(const scene::Scene& scene, const Passes& passes, int level) {
     return pass;
 }
 
+bool lies_in_beams(const Passes& passes, int block) {
+    return !passes.beams.empty() && passes.beams.back().block >= block;
+}
+
+void define_parent(ShaderText& text, const BeamLevel& parent) {
+    text.define("PARENT_BLOCK", parent.block);
+    text.define("PARENT_SQUARE_BITS", parent.square_bits);
+}
+
 void add_beam_of_block(ShaderText& text, const scene::Scene& scene, const Passes& passes,
                        int block) {
-    const bool lies_in_beams = !passes.beams.empty() && passes.beams.back().block >= block;
-    add_boxes(text, scene, passes, lies_in_beams ? &passes.beams.back() : nullptr);
+    add_boxes(text, scene, passes, lies_in_beams(passes, block) ? &passes.beams.back() : nullptr);
 }
 
 void add_light_beams(ShaderText& text, const Passes& passes) {

@@ -28,6 +28,12 @@ void add_entrance(ShaderText& text, const Passes& passes, bool by_beams);
 // The same without lists.
 void add_way(ShaderText& text, const Passes& passes, bool by_beams);
 
+// Whether blocks of `block` pixels lie in the beams of the last level.
+bool lies_in_beams(const Passes& passes, int block);
+
+// Defines where those that lie in beams of this level find them.
+void define_parent(ShaderText& text, const BeamLevel& parent);
+
 // Adds boxes around the beams of blocks of `block` pixels, which lie in those of the last level.
 void add_beam_of_block(ShaderText& text, const scene::Scene& scene, const Passes& passes,
                        int block);

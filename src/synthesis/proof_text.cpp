@@ -113,6 +113,26 @@ void add_value_at(ShaderText& text, ProofBounds bounds) {
                                              : "proof/value_by_gradient.glsl");
 }
 
+// The bounds on F at a root with which proofs of single rays begin. Terms of one sum do not cancel
+// as a polynomial's do, so that natural bounds are close.
+ProofBounds bounds_at_root(const FieldStorage& storage) {
+    return has_lists(storage) ? ProofBounds::natural : ProofBounds::by_gradient;
+}
+
+// How proofs of single rays begin, by the bounds that the text has.
+void add_beginning(ShaderText& text) {
+    text.generated("bounds at roots", "#define value_at_root value_at\n");
+    text.file("proof/begun.glsl");
+}
+
+// The same by closer bounds than those that the text has.
+void add_closer_beginning(ShaderText& text) {
+    text.generated("bounds at roots", "#define value_at value_at_root\n");
+    add_value_at(text, ProofBounds::by_gradient);
+    text.generated("bounds elsewhere", "#undef value_at\n");
+    text.file("proof/begun.glsl");
+}
+
 // Proofs of single rays by models.
 void add_ray_models(ShaderText& text, const formula::Field& field, formula::Numbers numbers) {
     add_value_models(text, field, numbers);
@@ -172,16 +192,27 @@ Pass block_proof(const scene::Scene& scene, const Passes& passes, Role role) {
                                 When::once_a_tile);
 }
 
+Pass block_mask(const Passes& passes) {
+    ShaderText text;
+    text.define("BLOCK", proved_block);
+    text.define("SQUARES_APART", beam_square);
+    text.file("march/beam_place.glsl");
+    define_parent(text, passes.beams.back());
+    text.file("proof/block_outcome.glsl");
+    text.file("proof/block_mask.frag");
+    return std::move(text).pass(Role::block_mask, "block mask", When::once_a_tile);
+}
+
 Pass first_proof(const scene::Scene& scene, const Passes& passes) {
     const formula::Field& field = *scene.surface.field;
+    const bool by_models = goes_by_models(field, ProofBounds::natural);
     ShaderText text;
-    if (goes_by_models(field, ProofBounds::natural)) {
+    if (by_models) {
         add_enclosures(text, field, passes, {});
         add_proof(text, scene, passes, ProofBounds::natural);
         add_value_models(text, field, formula::Numbers::floats);
     } else {
-        // Terms of one sum do not cancel as a polynomial's do, so natural bounds are close.
-        const auto bounds = has_lists(passes) ? ProofBounds::natural : ProofBounds::by_gradient;
+        const ProofBounds bounds = bounds_at_root(passes);
         std::vector functions{FieldFunction::value_interval};
         if (bounds == ProofBounds::by_gradient)
             functions.push_back(FieldFunction::gradient_interval);
@@ -189,6 +220,7 @@ Pass first_proof(const scene::Scene& scene, const Passes& passes) {
         add_proof(text, scene, passes, bounds);
         add_value_at(text, bounds);
     }
+    add_beginning(text);
     text.file("proof/begin.frag");
     return std::move(text).pass(Role::first_proof, "first proof", When::once_a_tile,
                                 Cover::rectangles);
@@ -200,16 +232,27 @@ Pass proof(const scene::Scene& scene, const Passes& passes, ProofBounds bounds) 
     const bool in_doubles = bounds == ProofBounds::in_doubles;
     const auto numbers = in_doubles ? formula::Numbers::doubles : formula::Numbers::floats;
     if (in_doubles) text.version(400);
-    if (goes_by_models(field, bounds)) {
+    const bool by_models = goes_by_models(field, bounds), begins = bounds == ProofBounds::natural;
+    const bool begins_closer =
+        begins && !by_models && bounds_at_root(passes) == ProofBounds::by_gradient;
+    if (by_models) {
         add_enclosures(text, field, passes, {}, numbers);
         add_by_place(text, passes);
         add_proof(text, scene, passes, bounds);
         add_ray_models(text, field, numbers);
     } else {
-        add_enclosures(text, field, passes, samples_of_ray(field, passes, bounds), numbers);
+        std::vector functions = samples_of_ray(field, passes, bounds);
+        if (begins_closer) functions.push_back(FieldFunction::gradient_interval);
+        add_enclosures(text, field, passes, functions, numbers);
         add_by_place(text, passes);
         add_proof(text, scene, passes, bounds);
         add_ray_bounds(text, field, passes, bounds);
+    }
+    if (begins) text.define("BEGINS", 1);
+    if (begins_closer) {
+        add_closer_beginning(text);
+    } else if (begins) {
+        add_beginning(text);
     }
     text.file("proof/proof.frag");
     switch (bounds) {
@@ -238,6 +281,8 @@ Pass ending_of_surface(const scene::Scene& scene) {
 // A pass over what proofs keep.
 Pass of_outcomes(Role role, std::string name, When when, const std::string& file) {
     ShaderText text;
+    text.define("PROVED_BLOCK", proved_block);
+    text.file("proof/block_outcome.glsl");
     text.file("proof/outcome.glsl");
     text.file(file);
     return std::move(text).pass(role, std::move(name), when, Cover::rectangles);
@@ -267,13 +312,18 @@ std::vector<Pass> proof_passes(const scene::Scene& scene, const Passes& passes) 
     if (is_among(scene)) list.push_back(ending_of_surface(scene));
     if (goes_by_models(*scene.surface.field, ProofBounds::natural))
         list.push_back(block_proof(scene, passes, Role::coarse_block_proof));
+    if (lies_in_beams(passes, proved_block)) list.push_back(block_mask(passes));
     list.push_back(block_proof(scene, passes, Role::block_proof));
+    list.push_back(of_outcomes(Role::monotone_mask, "monotone mask", When::once_a_tile,
+                               "proof/monotone_mask.frag"));
     list.push_back(first_proof(scene, passes));
+    list.push_back(
+        of_outcomes(Role::ray_mask, "ray mask", When::once_a_tile, "proof/ray_mask.frag"));
     list.push_back(
         of_outcomes(Role::proof_open, "proof open", When::where_proof_is_open, "proof/open.frag"));
     list.push_back(proof(scene, passes, ProofBounds::natural));
     list.push_back(
-        of_outcomes(Role::proof_copy, "proof copy", When::once_a_tile, "proof/copy.frag"));
+        of_outcomes(Role::proof_copy, "proof copy", When::where_proof_is_open, "proof/copy.frag"));
     list.push_back(of_outcomes(Role::proof_unmask, "proof unmask", When::where_proof_is_open,
                                "proof/unmask.frag"));
     list.push_back(proof(scene, passes, ProofBounds::by_gradient));

@@ -40,6 +40,23 @@ TEST(ProvedBlocks, LeaveSquaresWithAnUndecidedBlock) {
     }
 }
 
+// Only a slope that is not 0 tells that F is monotone.
+TEST(ProvedBlocks, TellWhereFIsMonotone) {
+    for (const auto& [slope, pixels] :
+         {std::pair(0.0f, 0), {3.5f, 16}, {-1.5f, 0}, {NAN, 0}, {block_hits, 0}}) {
+        std::vector<float> blocks(4 * 8 * 8, block_misses); // 32 x 32 pixels
+        blocks[4 * 3 + 3] = 0;
+        blocks[4 * (5 * 8 + 6) + 3] = slope;
+        const ProvedBlocks found = proved_blocks(blocks, 32, 32);
+        EXPECT_EQ(found.monotone.pixels, pixels);
+        ASSERT_EQ(found.monotone.areas.size(), pixels > 0 ? 1u : 0u);
+        if (pixels > 0) {
+            EXPECT_EQ(found.monotone.areas[0].x, 16);
+            EXPECT_EQ(found.monotone.areas[0].y, 16);
+        }
+    }
+}
+
 // Each pixel either lies in an area or counts outside with what its block decides.
 TEST(ProvedBlocks, CountEveryPixelOnce) {
     constexpr unsigned seed = 20261127;
@@ -55,12 +72,20 @@ TEST(ProvedBlocks, CountEveryPixelOnce) {
         std::vector<float> record(std::size_t(4 * width * height), -9.0f);
         write_proved_blocks(blocks, width, height, record);
         const ProvedBlocks found = proved_blocks(blocks, width, height);
+        std::vector<float> of_areas;
+        for (const gpu::Rectangle& area : found.left.areas)
+            of_areas.resize(of_areas.size() + std::size_t(4 * area.width * area.height), -9.0f);
+        write_proved_blocks(blocks, width, found.left.areas, of_areas);
+        auto of_pixel = of_areas.begin();
         std::vector<bool> left(std::size_t(width * height));
         for (const gpu::Rectangle& area : found.left.areas) {
             for (int y = area.y; y < area.y + area.height; ++y)
                 for (int x = area.x; x < area.x + area.width; ++x) {
                     EXPECT_FALSE(left[std::size_t(y * width + x)]) << "in two areas";
                     left[std::size_t(y * width + x)] = true;
+                    const float decided = record[std::size_t(4 * (y * width + x))];
+                    EXPECT_EQ(*of_pixel, decided == float(Proof::none) ? -9.0f : decided);
+                    of_pixel += 4;
                 }
         }
         ProofCounts outside{};
