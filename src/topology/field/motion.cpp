@@ -11,7 +11,7 @@
 #include "formula/graph/continuity.h"
 #include "formula/graph/lowering.h"
 #include "formula/graph/substitute.h"
-#include "topology/field/idle_clamps.h"
+#include "topology/field/idle_parts.h"
 #include "topology/field/monotone_track.h"
 
 namespace isomotion::topology {
@@ -305,7 +305,7 @@ Motions motions(const scene::Scene& scene, Side side, Interval range, Clock cloc
     if (!knots.empty() && knots.back().time == range.hi) {
         all.at_end = piece(scene, side, range.hi, std::nullopt);
         all.at_end->clock = range.hi;
-        drop_idle_clamps(*all.at_end);
+        drop_idle_parts(*all.at_end);
         knots.pop_back();
     }
     double from = range.lo;
@@ -313,7 +313,7 @@ Motions motions(const scene::Scene& scene, Side side, Interval range, Clock cloc
         const double to = k < knots.size() ? knots[k].time : range.hi;
         Motion motion = piece(scene, side, from + (to - from) / 2, std::nullopt);
         motion.clock = {from, to};
-        drop_idle_clamps(motion);
+        drop_idle_parts(motion);
         find_steps(motion, all.doubts);
         find_collapses(motion, all.collapses);
         all.pieces.push_back(std::move(motion));
@@ -324,7 +324,7 @@ Motions motions(const scene::Scene& scene, Side side, Interval range, Clock cloc
             motion->clock = MonotoneTrack(scene, *motion->driver, range).values();
             // A track with a pole in the range is no clock: there is no end to its values.
             if (std::isfinite(motion->clock.lo) && std::isfinite(motion->clock.hi)) {
-                drop_idle_clamps(*motion);
+                drop_idle_parts(*motion);
                 all.pieces.clear();
                 all.pieces.push_back(std::move(*motion));
                 return all;

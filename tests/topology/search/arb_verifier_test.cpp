@@ -84,7 +84,8 @@ TEST_P(SecondProofs, FailOfABoxBesideTheEvent) {
         for (std::size_t k = 0; k < 4; ++k) {
             Event moved = event;
             Interval& side = k < 3 ? moved.where[k] : moved.time;
-            const double by = std::max(2 * (side.hi - side.lo), 1e-15 * magnitude(side));
+            // A coordinate may be known to be exactly 0.
+            const double by = std::max({2 * (side.hi - side.lo), 1e-15 * magnitude(side), 1e-30});
             side = side + Interval(by);
             const Answer answer = proof.verify(moved);
             const auto where = [&] {

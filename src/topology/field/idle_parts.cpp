@@ -1,4 +1,4 @@
-#include "topology/field/idle_clamps.h"
+#include "topology/field/idle_parts.h"
 
 #include <algorithm>
 #include <array>
@@ -52,12 +52,67 @@ std::optional<NodeId> without_clamp(const Motion& motion, NodeId id, const Input
     return operands[node.op == Op::min ? less : 1 - less];
 }
 
+// Whether intervals over parts of all places and times, halved as far as needed, show that an
+// expression is never 0.
+bool is_never_0(const Motion& motion, NodeId id, const Inputs& everywhere) {
+    constexpr int most_asked = 512;
+    const formula::Program program = formula::schedule(motion.graph, std::array{id});
+    const auto bindings = formula::convert<Interval>(motion.bindings);
+    formula::Evaluator<Interval> evaluator(program);
+    std::vector<Inputs> open{everywhere};
+    for (int asked = 0; !open.empty(); ++asked) {
+        Inputs inputs = open.back();
+        open.pop_back();
+        Interval value;
+        evaluator.point(bindings, inputs, {&value, 1});
+        if (!contains(value, 0.0)) continue;
+        if (asked >= most_asked) return false;
+        std::size_t side = 0; // the longest, as a part of the whole
+        double most = 0;
+        for (std::size_t k = 0; k <= clock_input; ++k) {
+            const double whole = everywhere[k].hi - everywhere[k].lo;
+            const double part = whole > 0 ? (inputs[k].hi - inputs[k].lo) / whole : 0;
+            if (part <= most) continue;
+            most = part;
+            side = k;
+        }
+        Inputs half = inputs;
+        half[side].hi = inputs[side].lo = mid(inputs[side]);
+        open.push_back(half);
+        open.push_back(inputs);
+    }
+    return true;
+}
+
+// Drops what is added to the field for quotients that are nowhere 0/0.
+void drop_idle_gaps(Motion& motion, const Inputs& inputs) {
+    Graph& g = motion.graph;
+    // 0 < |a| ? 0 : ...
+    const auto is_gap = [&](const Graph& graph, const Node& node) {
+        const auto is_0 = [&](std::size_t k) { return graph.is_constant(node.children[k], 0); };
+        return node.op == Op::select && node.arrays == 0 && is_0(0) && is_0(2) &&
+               graph[node.children[1]].op == Op::abs;
+    };
+    std::vector<Node> idle;
+    for (const NodeId id : formula::nodes_below(g, std::array{motion.field})) {
+        const Node node = g[id];
+        if (is_gap(g, node) && is_never_0(motion, g[node.children[1]].children[0], inputs))
+            idle.push_back(node);
+    }
+    if (idle.empty()) return;
+    motion.field = formula::substitute(
+        g, g, std::array{motion.field}, [&](Graph& to, const Node& node, NodeId rebuilt) {
+            return std::ranges::find(idle, node) != idle.end() ? to.constant(0) : rebuilt;
+        })[0];
+}
+
 } // namespace
 
-void drop_idle_clamps(Motion& motion) {
+void drop_idle_parts(Motion& motion) {
     Graph& g = motion.graph;
     const auto inputs = everywhere(motion);
     if (!inputs) return;
+    drop_idle_gaps(motion, *inputs);
     const auto with_idle_clamp = [&]() -> std::optional<std::pair<NodeId, NodeId>> {
         for (const NodeId id : formula::nodes_below(g, std::array{motion.field})) {
             if (g[id].op != Op::chebyshev) continue;
