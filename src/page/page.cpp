@@ -63,19 +63,21 @@ std::string movie_element(std::span<const std::byte> movie) {
 }
 
 // A page that stays empty would tell nobody why.
-void warn_of_unbounded(const WebScene& web, const PageOptions& options) {
+void warn_of_unbounded(const scene::Scene& scene, const PageOptions& options) {
     if (!options.warn) return;
-    for (const WebSurface* one : web.surfaces()) {
-        const scene::SceneAt first = scene::at(one->scene, one->scene.timeline.values(1));
-        if (const auto why = scene::why_unbounded(one->scene, first)) options.warn(*why);
-    }
+    const scene::SceneAt first = scene::at(scene, scene.timeline.values(1));
+    const auto warn = [&](const scene::Scene& surface, const scene::SceneAt& now) {
+        if (const auto why = scene::why_unbounded(surface, now)) options.warn(*why);
+    };
+    warn(scene, first);
+    for (std::size_t k = 0; k < scene.others.size(); ++k) warn(scene.others[k], first.others[k]);
 }
 
 } // namespace
 
 std::string page(const scene::Scene& scene, const PageOptions& options) {
     const WebScene web = web_scene(scene);
-    warn_of_unbounded(web, options);
+    warn_of_unbounded(scene, options);
     const auto files = embedded_files();
     std::string script;
     for (const char* name : scripts) script.append(files.at(name)).append("\n");

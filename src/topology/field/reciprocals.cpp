@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <optional>
 #include <utility>
 
+#include "formula/graph/sign.h"
 #include "formula/graph/substitute.h"
 
 namespace isomotion::topology {
@@ -20,12 +22,32 @@ struct Power {
     int exponent = 1;
 };
 
-Power as_power(const Graph& g, NodeId id) {
+// Higher powers clamp what they are of (Graph::integer_power), and would clamp the reciprocal.
+constexpr int highest = 24;
+
+// Looks no deeper than the highest power goes.
+Power as_power(const Graph& g, NodeId id, int depth = highest) {
     const Node& node = g[id];
-    if (node.op != Op::multiply) return {id, 1};
-    const Power a = as_power(g, node.children[0]), b = as_power(g, node.children[1]);
-    if (a.of != b.of) return {id, 1};
+    if (node.op != Op::multiply || depth == 0) return {id, 1};
+    const Power a = as_power(g, node.children[0], depth - 1);
+    const bool is_square = node.children[0] == node.children[1];
+    const Power b = is_square ? a : as_power(g, node.children[1], depth - 1);
+    if (a.of != b.of || a.exponent + b.exponent > highest) return {id, 1};
     return {a.of, a.exponent + b.exponent};
+}
+
+// Whether 1/s^n is far below where divisions are cut off, at 10^30: s is at least a constant. Where
+// it may be cut off, a/s^n is cut as a whole, and a (1/s)^n is not.
+bool is_far_from_0(const Graph& g, const Power& s) {
+    const Node& node = g[s.of];
+    if (node.op != Op::add) return false;
+    for (const std::size_t k : {0, 1}) {
+        const Node& least = g[node.children[k]];
+        if (least.op == Op::constant && std::pow(std::max(least.value, 0.0), s.exponent) > 1e-6 &&
+            formula::is_never_negative(g, node.children[1 - k]))
+            return true;
+    }
+    return false;
 }
 
 bool depends_on_inputs(const Graph& g, NodeId root) {
@@ -40,7 +62,8 @@ NodeId with_reciprocals(Graph& graph, NodeId root) {
         const Node node = g[rebuilt];
         if (node.op != Op::divide) return rebuilt;
         const Power divisor = as_power(g, node.children[1]);
-        if (divisor.exponent < 2 || depends_on_inputs(g, node.children[0])) return rebuilt;
+        if (divisor.exponent < 2 || !is_far_from_0(g, divisor)) return rebuilt;
+        if (depends_on_inputs(g, node.children[0])) return rebuilt;
         const NodeId reciprocal = g.divide(g.constant(1), divisor.of);
         return g.multiply(node.children[0], g.integer_power(reciprocal, divisor.exponent));
     };

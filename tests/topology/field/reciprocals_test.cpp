@@ -65,7 +65,10 @@ TEST(Reciprocals, EncloseSlopesOfBellsMoreNarrowly) {
 TEST(Reciprocals, LeaveOtherQuotients) {
     Graph graph;
     const NodeId x = graph.input(0), other = graph.add(x, graph.constant(1));
-    for (const NodeId quotient : {graph.divide(graph.constant(1), x),
+    // A power this high clamps what it is of.
+    for (const NodeId quotient : {bell(graph, 40), graph.divide(graph.constant(1), x),
+                                  graph.divide(graph.constant(1), graph.multiply(x, x)),
+                                  graph.divide(graph.constant(1), graph.multiply(other, other)),
                                   graph.divide(graph.constant(1), graph.multiply(x, other)),
                                   graph.divide(x, graph.multiply(other, other))})
         EXPECT_EQ(with_reciprocals(graph, quotient), quotient);

@@ -1,0 +1,12 @@
+// Signs that the form of an expression shows.
+#pragma once
+
+#include "formula/graph/graph.h"
+
+namespace isomotion::formula {
+
+// Whether the expression, looked at down to this depth, shows that its values are 0 or more,
+// wherever it has one.
+bool is_never_negative(const Graph& graph, NodeId id, int depth = 12);
+
+} // namespace isomotion::formula
