@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <optional>
 #include <utility>
 
@@ -36,18 +37,28 @@ Power as_power(const Graph& g, NodeId id, int depth = highest) {
     return {a.of, a.exponent + b.exponent};
 }
 
-// Whether 1/s^n is far below where divisions are cut off, at 10^30: s is at least a constant. Where
-// it may be cut off, a/s^n is cut as a whole, and a (1/s)^n is not.
+// Of 1/s^n, far below where divisions are cut off, at 10^30: there a/s^n is cut as a whole, and a
+// (1/s)^n is not.
+constexpr double highest_value = 1e12;
+
+// Whether s is at least a constant by which 1/s^n stays below that.
 bool is_far_from_0(const Graph& g, const Power& s) {
     const Node& node = g[s.of];
     if (node.op != Op::add) return false;
     for (const std::size_t k : {0, 1}) {
         const Node& least = g[node.children[k]];
-        if (least.op == Op::constant && std::pow(std::max(least.value, 0.0), s.exponent) > 1e-6 &&
-            formula::is_never_negative(g, node.children[1 - k]))
-            return true;
+        if (least.op != Op::constant || !formula::is_never_negative(g, node.children[1 - k]))
+            continue;
+        if (std::pow(std::max(least.value, 0.0), s.exponent) * highest_value >= 1) return true;
     }
     return false;
+}
+
+// Decoration: 0 over boxes where 1/s^n stays below that, else the entire line. Slopes have it, too.
+NodeId unless_cut_off(Graph& g, NodeId reciprocal, const Power& s) {
+    return g.select(g.unary(Op::abs, reciprocal),
+                    g.constant(std::pow(highest_value, 1.0 / s.exponent)), g.constant(0),
+                    g.constant(std::numeric_limits<double>::quiet_NaN()));
 }
 
 bool depends_on_inputs(const Graph& g, NodeId root) {
@@ -62,10 +73,12 @@ NodeId with_reciprocals(Graph& graph, NodeId root) {
         const Node node = g[rebuilt];
         if (node.op != Op::divide) return rebuilt;
         const Power divisor = as_power(g, node.children[1]);
-        if (divisor.exponent < 2 || !is_far_from_0(g, divisor)) return rebuilt;
-        if (depends_on_inputs(g, node.children[0])) return rebuilt;
+        if (divisor.exponent < 2 || depends_on_inputs(g, node.children[0])) return rebuilt;
         const NodeId reciprocal = g.divide(g.constant(1), divisor.of);
-        return g.multiply(node.children[0], g.integer_power(reciprocal, divisor.exponent));
+        const NodeId product =
+            g.multiply(node.children[0], g.integer_power(reciprocal, divisor.exponent));
+        return is_far_from_0(g, divisor) ? product
+                                         : g.add(product, unless_cut_off(g, reciprocal, divisor));
     };
     return formula::substitute(graph, graph, std::array{root}, rewrite).front();
 }
