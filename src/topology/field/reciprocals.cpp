@@ -39,19 +39,19 @@ Power as_power(const Graph& g, NodeId id, int depth = highest) {
 
 // Of 1/s^n, far below where divisions are cut off, at 10^30: there a/s^n is cut as a whole, and a
 // (1/s)^n is not.
-constexpr double highest_value = 1e12;
+constexpr double highest_value = 1e24;
 
-// Whether s is at least a constant by which 1/s^n stays below that.
-bool is_far_from_0(const Graph& g, const Power& s) {
+// What s is seen to be more than a constant above 0 by, as r^2 of 1 + r^2: a sum that begins so is
+// hardly meant to reach 0. None for others, whose even powers are bounded better at a pole.
+std::optional<NodeId> above_constant(const Graph& g, const Power& s) {
     const Node& node = g[s.of];
-    if (node.op != Op::add) return false;
+    if (node.op != Op::add) return std::nullopt;
     for (const std::size_t k : {0, 1}) {
         const Node& least = g[node.children[k]];
-        if (least.op != Op::constant || !formula::is_never_negative(g, node.children[1 - k]))
-            continue;
-        if (std::pow(std::max(least.value, 0.0), s.exponent) * highest_value >= 1) return true;
+        if (least.op != Op::constant || !(least.value > 0)) continue;
+        if (std::pow(least.value, s.exponent) * highest_value >= 1) return node.children[1 - k];
     }
-    return false;
+    return std::nullopt;
 }
 
 // Decoration: 0 over boxes where 1/s^n stays below that, else the entire line. Slopes have it, too.
@@ -74,11 +74,13 @@ NodeId with_reciprocals(Graph& graph, NodeId root) {
         if (node.op != Op::divide) return rebuilt;
         const Power divisor = as_power(g, node.children[1]);
         if (divisor.exponent < 2 || depends_on_inputs(g, node.children[0])) return rebuilt;
+        const auto more = above_constant(g, divisor);
+        if (!more) return rebuilt;
         const NodeId reciprocal = g.divide(g.constant(1), divisor.of);
         const NodeId product =
             g.multiply(node.children[0], g.integer_power(reciprocal, divisor.exponent));
-        return is_far_from_0(g, divisor) ? product
-                                         : g.add(product, unless_cut_off(g, reciprocal, divisor));
+        if (formula::is_never_negative(g, *more)) return product;
+        return g.add(product, unless_cut_off(g, reciprocal, divisor));
     };
     return formula::substitute(graph, graph, std::array{root}, rewrite).front();
 }
