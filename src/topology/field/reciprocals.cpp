@@ -23,10 +23,8 @@ struct Power {
     int exponent = 1;
 };
 
-// Higher powers clamp what they are of (Graph::integer_power), and would clamp the reciprocal.
-constexpr int highest = 24;
+constexpr int highest = 24; // power; as_power() looks no deeper
 
-// Looks no deeper than the highest power goes.
 Power as_power(const Graph& g, NodeId id, int depth = highest) {
     const Node& node = g[id];
     if (node.op != Op::multiply || depth == 0) return {id, 1};
