@@ -418,14 +418,15 @@ void refuse_unused_arrays(const toml::node* table, const std::string& key,
                           std::span<const Scene* const> surfaces) {
     const toml::table* arrays = table ? table->as_table() : nullptr;
     if (!arrays) return;
-    for (const auto& [name, node] : *arrays) {
-        const toml::table* array = node.as_table();
+    for (const auto& entry : *arrays) {
+        const toml::table* array = entry.second.as_table();
         const toml::node* count = array ? array->get("count") : nullptr;
         if (!count || position(*count) != "--set") continue;
+        const std::string_view name = entry.first.str();
         const bool is_used = std::ranges::any_of(
-            surfaces, [&](const Scene* surface) { return uses_array(*surface, name.str()); });
+            surfaces, [&](const Scene* surface) { return uses_array(*surface, name); });
         if (is_used) continue;
-        fail(*count, fmt::format("{}.{}.count", key, name.str()),
+        fail(*count, fmt::format("{}.{}.count", key, name),
              "no formula and no colour sums or picks over an array of this name");
     }
 }

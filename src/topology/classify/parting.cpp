@@ -236,6 +236,7 @@ private:
             tightened.ended += !contains(of_some[s].value, 0.0);
         }
         std::vector<Interval> values;
+        values.reserve(over.size());
         for (const ValueAndGradient& one : over) values.push_back(one.value);
         return values;
     }
