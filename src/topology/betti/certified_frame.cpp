@@ -404,7 +404,7 @@ std::size_t Octree::draw(std::span<const Crossed> leaves, SignGrid& grid) {
 
 CertifiedFrame certify_frame(const SpaceFormula& formula, const scene::BoundsAt& bounds,
                              const FrameLimits& limits) {
-    if (const CertifiedFrame frame = certify_separable(formula, bounds); frame.betti) return frame;
+    if (CertifiedFrame frame = certify_separable(formula, bounds); frame.betti) return frame;
     FrameField one({formula.graph, formula.root, one_of(formula.bindings), formula.solid});
     FrameField all(formula);
     const Places places(bounds);
