@@ -39,7 +39,7 @@ int output_error = 0; // of the first result that could not be written
 
 } // namespace
 
-// A result that was told before comes before it, where both go to one terminal or file.
+// Flushes stdout first, so that earlier results stand before the message in one terminal or file.
 void write_message(std::string_view text) {
     errno = 0;
     if (std::fflush(stdout) != 0 && !output_error) output_error = errno ? errno : EIO;

@@ -35,12 +35,12 @@ Power as_power(const Graph& g, NodeId id, int depth = highest) {
     return {a.of, a.exponent + b.exponent};
 }
 
-// Of 1/s^n, far below where divisions are cut off, at 10^30: there a/s^n is cut as a whole, and a
-// (1/s)^n is not.
+// The largest 1/s^n that is taken as a power. Divisions are cut off at 10^30, where a/s^n is cut as
+// a whole and a (1/s)^n is not.
 constexpr double highest_value = 1e24;
 
-// What s is seen to be more than a constant above 0 by, as r^2 of 1 + r^2: a sum that begins so is
-// hardly meant to reach 0. None for others, whose even powers are bounded better at a pole.
+// The other summand of s, as r^2 of 1 + r^2, if s is a sum with a constant above 0: such a divisor
+// hardly comes to 0. Empty for other divisors, whose even powers are bounded better at a pole.
 std::optional<NodeId> above_constant(const Graph& g, const Power& s) {
     const Node& node = g[s.of];
     if (node.op != Op::add) return std::nullopt;
