@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "base/workers.h"
 #include "topology/betti/frame_signs.h"
 #include "topology/field/common_solid.h"
 #include "topology/moving_scene.h"
@@ -136,12 +137,21 @@ Timeline proved(Timeline timeline, const Motions& motions, const AnalyseOptions&
             why = fmt::format("{}: {}, near {}", not_known, frame.why, place_text(frame.where));
         return why;
     };
+    std::string no_start, no_end;
+    const auto prove_ends = [&] {
+        return [&](std::size_t k) {
+            if (k == 0) {
+                no_start =
+                    prove_end(range.lo, start_not_known, timeline.start, timeline.start_is_proved);
+            } else {
+                no_end = prove_end(range.hi, end_not_known, timeline.end, timeline.end_is_proved);
+            }
+        };
+    };
     callbacks.show("first and last frame", 0);
-    const std::string no_start =
-        prove_end(range.lo, start_not_known, timeline.start, timeline.start_is_proved);
-    callbacks.show("first and last frame", 0.5);
-    const std::string no_end =
-        prove_end(range.hi, end_not_known, timeline.end, timeline.end_is_proved);
+    base::share({2, threads_of(how), limits.stopped,
+                 [&](double part) { callbacks.show("first and last frame", part); }},
+                prove_ends);
 
     PathOptions seeking;
     seeking.threads = threads_of(how);
