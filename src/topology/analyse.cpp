@@ -126,6 +126,7 @@ Timeline proved(Timeline timeline, const Motions& motions, const AnalyseOptions&
                 Interval range, const SerialCallbacks& callbacks) {
     const MovingScene frames(motions);
     const FrameLimits limits{.stopped = [&] { return callbacks.stopped(); }};
+    bool are_by_cells = false;
     const auto prove_end = [&](double time, const char* not_known, std::optional<Betti>& betti,
                                bool& is_proved) {
         std::string why;
@@ -133,6 +134,7 @@ Timeline proved(Timeline timeline, const Motions& motions, const AnalyseOptions&
         const CertifiedFrame frame = frames.certify(time, limits);
         betti = frame.betti;
         is_proved = betti.has_value();
+        are_by_cells |= frame.is_by_cells;
         if (!is_proved)
             why = fmt::format("{}: {}, near {}", not_known, frame.why, place_text(frame.where));
         return why;
@@ -160,6 +162,8 @@ Timeline proved(Timeline timeline, const Motions& motions, const AnalyseOptions&
     KindProofs proofs = frames.proofs(timeline.events, seeking, limits);
     proofs.stopped = seeking.stopped;
     // Where boxes and paths tell nothing, as at kinks, frames between events do.
+    constexpr int events_by_boxes_a_frame_by_cells = 64;
+    if (are_by_cells) proofs.events_a_frame = events_by_boxes_a_frame_by_cells;
     const auto open = std::ranges::count(timeline.events, Kind::unknown, &Event::kind);
     proofs.most_frames = std::max(proofs.most_frames, 2 * int(open));
     const bool is_late = callbacks.stopped();

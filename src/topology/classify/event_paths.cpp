@@ -8,6 +8,7 @@
 #include "base/workers.h"
 #include "topology/classify/field_snapshot.h"
 #include "topology/classify/morse_graph.h"
+#include "topology/classify/saddle_path.h"
 #include "topology/classify/saddle_tracks.h"
 
 namespace isomotion::topology {
@@ -22,8 +23,12 @@ constexpr std::size_t nearest_saddles = 16;
 constexpr double same_minimum = 1e-5, own = 1e-6;
 
 Domain domain_of(const FieldSnapshot& snapshot, bool is_solid) {
-    return {snapshot.box, is_solid, snapshot.is_inside,
-            [&](const SpacePoint& p) { return snapshot.is_outside(point_box(p)); }};
+    Domain domain{snapshot.box, is_solid, snapshot.is_inside,
+                  [&](const SpacePoint& p) { return snapshot.is_outside(point_box(p)); }};
+    const EnclosedBounds& bounds = snapshot.bounds;
+    if (bounds.shape == scene::Bounds::Shape::sphere)
+        domain.sphere = {middle(bounds.centre), bounds.radius.lo};
+    return domain;
 }
 
 // Looks for passes where a route is missing: its gaps themselves where all of them seems to be low
@@ -214,8 +219,7 @@ Sides EventPaths::sides(Fields& fields, const Surface& surface, int effort,
     const std::size_t which = surface.events[0];
     const Event& event = events_[which];
     const bool is_solid = event.index == 1;
-    // The sides of a critical point of index 2 on a wall are the inside and the outside.
-    if (event.index != 1 && (event.index != 2 || event.stratum != 3)) return Sides::unknown;
+    if (event.index != 1 && event.index != 2) return Sides::unknown;
     const FieldSnapshot snapshot =
         field_snapshot(fields.over(*surface.piece, surface.bindings), surface.bounds);
     const SublevelSet region(snapshot, is_solid);
