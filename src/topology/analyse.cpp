@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "base/workers.h"
 #include "topology/betti/frame_signs.h"
 #include "topology/field/common_solid.h"
 #include "topology/moving_scene.h"
@@ -125,6 +126,7 @@ Timeline proved(Timeline timeline, const Motions& motions, const AnalyseOptions&
                 Interval range, const SerialCallbacks& callbacks) {
     const MovingScene frames(motions);
     const FrameLimits limits{.stopped = [&] { return callbacks.stopped(); }};
+    bool are_by_cells = false;
     const auto prove_end = [&](double time, const char* not_known, std::optional<Betti>& betti,
                                bool& is_proved) {
         std::string why;
@@ -132,16 +134,26 @@ Timeline proved(Timeline timeline, const Motions& motions, const AnalyseOptions&
         const CertifiedFrame frame = frames.certify(time, limits);
         betti = frame.betti;
         is_proved = betti.has_value();
+        are_by_cells |= frame.is_by_cells;
         if (!is_proved)
             why = fmt::format("{}: {}, near {}", not_known, frame.why, place_text(frame.where));
         return why;
     };
+    std::string no_start, no_end;
+    const auto prove_ends = [&] {
+        return [&](std::size_t k) {
+            if (k == 0) {
+                no_start =
+                    prove_end(range.lo, start_not_known, timeline.start, timeline.start_is_proved);
+            } else {
+                no_end = prove_end(range.hi, end_not_known, timeline.end, timeline.end_is_proved);
+            }
+        };
+    };
     callbacks.show("first and last frame", 0);
-    const std::string no_start =
-        prove_end(range.lo, start_not_known, timeline.start, timeline.start_is_proved);
-    callbacks.show("first and last frame", 0.5);
-    const std::string no_end =
-        prove_end(range.hi, end_not_known, timeline.end, timeline.end_is_proved);
+    base::share({2, threads_of(how), limits.stopped,
+                 [&](double part) { callbacks.show("first and last frame", part); }},
+                prove_ends);
 
     PathOptions seeking;
     seeking.threads = threads_of(how);
@@ -150,6 +162,8 @@ Timeline proved(Timeline timeline, const Motions& motions, const AnalyseOptions&
     KindProofs proofs = frames.proofs(timeline.events, seeking, limits);
     proofs.stopped = seeking.stopped;
     // Where boxes and paths tell nothing, as at kinks, frames between events do.
+    constexpr int events_by_boxes_a_frame_by_cells = 64;
+    if (are_by_cells) proofs.events_a_frame = events_by_boxes_a_frame_by_cells;
     const auto open = std::ranges::count(timeline.events, Kind::unknown, &Event::kind);
     proofs.most_frames = std::max(proofs.most_frames, 2 * int(open));
     const bool is_late = callbacks.stopped();

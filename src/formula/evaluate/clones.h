@@ -11,3 +11,10 @@
 #else
 #define ISOMOTION_CLONES(...)
 #endif
+
+// Before a loop over lanes: results of one lane are no operands of another.
+#if defined(__GNUC__) && !defined(__clang__)
+#define ISOMOTION_LANES_APART _Pragma("GCC ivdep") _Pragma("GCC unroll 1")
+#else
+#define ISOMOTION_LANES_APART
+#endif

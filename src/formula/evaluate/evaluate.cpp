@@ -34,6 +34,12 @@ namespace {
 
 template<class T> constexpr bool is_interval = std::is_same_v<T, Interval>;
 
+// Whether the function is a call for each point, which takes as long as dozens of products.
+template<class T> constexpr bool is_called(Op op) {
+    return is_interval<T> && op != Op::abs && op != Op::sign && op != Op::sqrt && op != Op::exp &&
+           op != Op::floor;
+}
+
 // As in a shader: folded in double, a constant may be more than a float holds.
 template<class T> T constant(double value) {
     if constexpr (is_interval<T>) {
@@ -53,25 +59,47 @@ template<class T> T random(std::uint64_t seed, T i, T k) {
     }
 }
 
+// `each` sets the result at each point.
+template<class Each>
+[[gnu::always_inline]] inline void multiply(Product product, const Lanes<Interval>& a,
+                                            const Lanes<Interval>& b, const Each& each) {
+    using Do = Operations<Interval>;
+    if (product == Product::by_uniform) {
+        const Interval factor = b[0];
+        if (is_point(factor) && factor.lo > 0)
+            return each([&](int l) { return times_positive(a[l], factor.lo); });
+        if (is_point(factor) && factor.lo < 0)
+            return each([&](int l) { return -times_positive(a[l], -factor.lo); });
+        if (factor.lo < 0 && factor.hi <= 0)
+            return each([&](int l) { return -times_not_negative(a[l], -factor); });
+        if (factor.lo >= 0 && factor.hi > 0) product = Product::by_not_negative;
+    }
+    switch (product) {
+    case Product::square:
+        return each([&](int l) { return Do::square(a[l]); });
+    case Product::by_not_negative:
+        return each([&](int l) { return times_not_negative(a[l], b[l]); });
+    case Product::of_not_negative:
+        return each([&](int l) { return product_not_negative(a[l], b[l]); });
+    case Product::by_uniform:
+    case Product::any:
+        return each([&](int l) { return Do::multiply(a[l], b[l]); });
+    }
+}
+
 } // namespace
 
 template<class T>
 Evaluator<T>::Evaluator(const Program& program)
-    : program_(&program)
-    , registers_(std::size_t(program.registers) * Lanes<T>::parts * block) {
-    int inputs = 0, depth = 0, deepest = 0;
-    for (const Instruction& instruction : program.instructions) {
-        if (instruction.kind == Instruction::Kind::loop_begin) deepest = std::max(deepest, ++depth);
-        if (instruction.kind == Instruction::Kind::loop_end) --depth;
-        if (instruction.op == Op::input) inputs = std::max(inputs, instruction.index + 1);
-        if (instruction.op == Op::chebyshev) {
-            const std::pair which{instruction.index, instruction.second};
-            if (!chebyshev_.contains(which))
-                chebyshev_.emplace(which, ChebyshevEnclosure(which.first, which.second));
-        }
+    : plan_(plan(program, is_interval<T>))
+    , registers_(std::size_t(plan_.registers) * Lanes<T>::parts * block) {
+    for (const Step& step : plan_.steps) {
+        if (step.op != Op::chebyshev) continue;
+        const std::pair which{step.index, step.second};
+        if (!chebyshev_.contains(which))
+            chebyshev_.emplace(which, ChebyshevEnclosure(which.first, which.second));
     }
-    inputs_.resize(std::size_t(inputs) * block);
-    loops_.reserve(std::size_t(deepest));
+    loops_.reserve(plan_.deepest);
 }
 
 template<class T> template<int Count> Lanes<T> Evaluator<T>::lanes(Register r) {
@@ -81,9 +109,12 @@ template<class T> template<int Count> Lanes<T> Evaluator<T>::lanes(Register r) {
 template<class T>
 void Evaluator<T>::point(const Bindings<T>& bindings, std::span<const T> inputs,
                          std::span<T> outputs) {
-    run<1>(bindings, inputs);
+    for (std::size_t k = 0; k < plan_.inputs.size(); ++k) {
+        if (plan_.inputs[k] >= 0) lanes<1>(plan_.inputs[k]).set(0, inputs[k]);
+    }
+    run<1>(bindings);
     for (std::size_t o = 0; o < outputs.size(); ++o) {
-        outputs[o] = lanes<1>(program_->outputs[o])[0];
+        outputs[o] = lanes<1>(plan_.outputs[o])[0];
     }
 }
 
@@ -110,15 +141,17 @@ template<int Count>
 void Evaluator<T>::together(const Bindings<T>& bindings, std::span<const std::span<const T>> inputs,
                             std::span<const std::span<T>> outputs, std::size_t first,
                             std::size_t count) {
-    for (std::size_t k = 0; k < inputs.size() && k * block < inputs_.size(); ++k) {
+    for (std::size_t k = 0; k < plan_.inputs.size(); ++k) {
+        if (plan_.inputs[k] < 0) continue;
+        const Lanes<T> to = lanes<Count>(plan_.inputs[k]);
+        const std::span<const T> from = inputs[k].subspan(first, count);
+        for (std::size_t lane = 0; lane < count; ++lane) to.set(int(lane), from[lane]);
         // Lanes past the end repeat the last point: no branch inside, nothing undefined.
-        for (std::size_t lane = 0; lane < Count; ++lane) {
-            inputs_[k * Count + lane] = inputs[k][first + std::min(lane, count - 1)];
-        }
+        for (std::size_t lane = count; lane < Count; ++lane) to.set(int(lane), from[count - 1]);
     }
-    run<Count>(bindings, inputs_);
+    run<Count>(bindings);
     for (std::size_t o = 0; o < outputs.size(); ++o) {
-        const Lanes<T> from = lanes<Count>(program_->outputs[o]);
+        const Lanes<T> from = lanes<Count>(plan_.outputs[o]);
         for (std::size_t lane = 0; lane < count; ++lane) {
             outputs[o][first + lane] = from[int(lane)];
         }
@@ -127,12 +160,12 @@ void Evaluator<T>::together(const Bindings<T>& bindings, std::span<const std::sp
 
 template<class T>
 template<int Count>
-ISOMOTION_WIDER void Evaluator<T>::run(const Bindings<T>& bindings, std::span<const T> inputs) {
+ISOMOTION_WIDER void Evaluator<T>::run(const Bindings<T>& bindings) {
     using Do = Operations<T>;
-    const auto& code = program_->instructions;
+    const auto& code = plan_.steps;
     loops_.clear();
     for (std::size_t at = 0; at < code.size(); ++at) {
-        const Instruction& now = code[at];
+        const Step& now = code[at];
         if (now.kind == Instruction::Kind::loop_begin) {
             if (bindings.arrays[std::size_t(now.index)].count > 0) {
                 loops_.push_back({at, now.index, 0});
@@ -157,11 +190,20 @@ ISOMOTION_WIDER void Evaluator<T>::run(const Bindings<T>& bindings, std::span<co
         const Lanes<T> to = lanes<Count>(now.result);
         const Lanes<T> a = lanes<Count>(now.arity > 0 ? now.operands[0] : now.result);
         const Lanes<T> b = lanes<Count>(now.arity > 1 ? now.operands[1] : now.result);
-        const auto each = [&](auto&& value) {
-            for (int lane = 0; lane < Count; ++lane) to.set(lane, value(lane));
-        };
         const auto all = [&](T value) {
             for (int lane = 0; lane < Count; ++lane) to.set(lane, value);
+        };
+        const auto each = [&](auto&& value) {
+            if (Count > 1 && now.is_uniform) return all(value(0));
+            ISOMOTION_LANES_APART
+            for (int lane = 0; lane < Count; ++lane) to.set(lane, value(lane));
+        };
+        // Once for lanes next to each other with the same argument.
+        [[maybe_unused]] const auto each_of_runs = [&](auto&& value) {
+            for (int lane = 0; lane < Count; ++lane) {
+                const bool is_known = lane > 0 && a[lane] == a[lane - 1];
+                to.set(lane, is_known ? to[lane - 1] : value(lane));
+            }
         };
         if (now.kind == Instruction::Kind::begin) {
             all(now.op == Op::least ? Do::least_of_none() : T(0));
@@ -190,7 +232,7 @@ ISOMOTION_WIDER void Evaluator<T>::run(const Bindings<T>& bindings, std::span<co
             all(constant<T>(now.value));
             break;
         case Op::input:
-            each([&](int lane) { return inputs[std::size_t(now.index * Count + lane)]; });
+            assert(!"put into its register before");
             break;
         case Op::parameter:
             all(bindings.parameters[std::size_t(now.index)]);
@@ -207,7 +249,11 @@ ISOMOTION_WIDER void Evaluator<T>::run(const Bindings<T>& bindings, std::span<co
             break;
 #define ROW(name, ...)                                                                             \
     case Op::name:                                                                                 \
-        each([&](int l) { return Do::name(a[l]); });                                               \
+        if constexpr (is_called<T>(Op::name)) {                                                    \
+            each_of_runs([&](int l) { return Do::name(a[l]); });                                   \
+        } else {                                                                                   \
+            each([&](int l) { return Do::name(a[l]); });                                           \
+        }                                                                                          \
         break;
             ISOMOTION_FUNCTIONS(ROW)
 #undef ROW
@@ -219,12 +265,10 @@ ISOMOTION_WIDER void Evaluator<T>::run(const Bindings<T>& bindings, std::span<co
             break;
         case Op::multiply:
             if constexpr (is_interval<T>) {
-                if (now.operands[0] == now.operands[1]) {
-                    each([&](int l) { return Do::square(a[l]); });
-                    break;
-                }
+                multiply(now.product, a, b, each);
+            } else {
+                each([&](int l) { return a[l] * b[l]; });
             }
-            each([&](int l) { return Do::multiply(a[l], b[l]); });
             break;
         case Op::divide:
             each([&](int l) { return Do::divide(a[l], b[l]); });

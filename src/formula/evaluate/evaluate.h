@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "formula/evaluate/lanes.h"
+#include "formula/evaluate/plan.h"
 #include "formula/graph/program.h"
 #include "formula/interval/chebyshev_enclosure.h"
 
@@ -71,12 +72,11 @@ private:
     template<int Count>
     void together(const Bindings<T>& bindings, std::span<const std::span<const T>> inputs,
                   std::span<const std::span<T>> outputs, std::size_t first, std::size_t count);
-    template<int Count> void run(const Bindings<T>& bindings, std::span<const T> inputs);
+    template<int Count> void run(const Bindings<T>& bindings);
     template<int Count> Lanes<T> lanes(Register r);
 
-    const Program* program_;
-    std::vector<typename Lanes<T>::Part> registers_;              // [register][part][lane]
-    std::vector<T> inputs_;                                       // [input][lane]
+    Plan plan_;
+    Registers<typename Lanes<T>::Part> registers_;                // [register][part][lane]
     std::map<std::pair<int, int>, ChebyshevEnclosure> chebyshev_; // by degree and derivative
     struct OpenLoop {
         std::size_t begin;

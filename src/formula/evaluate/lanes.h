@@ -4,9 +4,29 @@
 // that loops over the lanes vectorise for both.
 #pragma once
 
+#include <cstddef>
+#include <new>
+#include <vector>
+
 #include "formula/interval/interval.h"
 
 namespace isomotion::formula {
+
+// Memory for registers, where the widest loads of processors cross no line of their caches.
+template<class Part> struct InLines {
+    using value_type = Part;
+    static constexpr std::align_val_t line{64};
+
+    InLines() = default;
+    template<class Other> InLines(const InLines<Other>&) {}
+
+    Part* allocate(std::size_t count) {
+        return static_cast<Part*>(::operator new(count * sizeof(Part), line));
+    }
+    void deallocate(Part* memory, std::size_t) { ::operator delete(memory, line); }
+    bool operator==(const InLines&) const = default;
+};
+template<class Part> using Registers = std::vector<Part, InLines<Part>>;
 
 template<class T> struct Lanes {
     using Part = T;

@@ -210,6 +210,7 @@ CertifiedFrame certify_by_cells(const SpaceFormula& formula, const scene::Bounds
     }
     frame.depth = complex.depth();
     frame.boxes = int(complex.asked());
+    frame.is_by_cells = true;
     if (frame.betti) return frame;
     frame.why = limits.stopped && limits.stopped() ? "interrupted"
                 : complex.asked() > most           ? too_many_boxes

@@ -30,8 +30,9 @@ struct CertifiedFrame {
     std::optional<Betti> betti;
     int depth = 0; // of the smallest part: its sides are those of the box, divided by 2^depth
     int boxes = 0;
-    std::string why; // if there are no Betti numbers: what could not be proved
-    SpaceBox where;  // and where
+    bool is_by_cells = false; // which takes several times as long
+    std::string why;          // if there are no Betti numbers: what could not be proved
+    SpaceBox where;           // and where
 };
 
 struct FrameLimits {

@@ -30,6 +30,7 @@ public:
     const SpacePoint& tried() const { return tried_; }
 
     void here(const PointJet& jet) {
+        if (!ground_.is_solid && ground_.is_outside(at_)) return end(DescentPath::End::outside);
         jet_ = within(jet, at_);
         aim();
     }
@@ -61,6 +62,7 @@ private:
     // The jet as it is along the wall, where H falls out of the bounds.
     PointJet within(PointJet jet, const SpacePoint& p) const {
         if (!ground_.is_solid) return jet;
+        if (ground_.sphere) return within_sphere(jet, p);
         for (std::size_t i = 0; i < 3; ++i) {
             const formula::Interval wall = ground_.box[i];
             const bool is_free = jet.gradient[i] < 0 ? p[i] < wall.hi - 1.5 * inset()
@@ -70,6 +72,42 @@ private:
             for (std::size_t j = 0; j < 3; ++j) jet.hessian[i][j] = jet.hessian[j][i] = i == j;
         }
         return jet;
+    }
+
+    PointJet within_sphere(PointJet jet, const SpacePoint& p) const {
+        const SpacePoint off = difference(p, ground_.sphere->centre);
+        const double far = length(off);
+        const SpacePoint out = along({}, 1 / far, off);
+        const double slope = dot(jet.gradient, out);
+        if (slope >= 0 || far < ground_.sphere->radius - 1.5 * inset()) return jet;
+        jet.gradient = along(jet.gradient, -slope, out);
+        SpacePoint across;
+        for (std::size_t i = 0; i < 3; ++i) across[i] = dot(jet.hessian[i], out);
+        const double twice = dot(across, out);
+        for (std::size_t i = 0; i < 3; ++i) {
+            for (std::size_t j = 0; j < 3; ++j) {
+                jet.hessian[i][j] +=
+                    (twice + 1) * out[i] * out[j] - across[i] * out[j] - out[i] * across[j];
+            }
+            // The sphere turns away.
+            for (std::size_t j = 0; j < 3; ++j)
+                jet.hessian[i][j] -= slope / far * (double(i == j) - out[i] * out[j]);
+        }
+        return jet;
+    }
+
+    // The nearest point inside of the walls.
+    SpacePoint moved_inside(SpacePoint p) const {
+        if (ground_.sphere) {
+            const SpacePoint off = difference(p, ground_.sphere->centre);
+            return along(ground_.sphere->centre, (ground_.sphere->radius - inset()) / length(off),
+                         off);
+        }
+        for (std::size_t i = 0; i < 3; ++i) {
+            const formula::Interval wall = ground_.box[i];
+            p[i] = std::clamp(p[i], wall.lo + inset(), wall.hi - inset());
+        }
+        return p;
     }
 
     bool is_lower(const PointJet& jet) const {
@@ -112,10 +150,7 @@ private:
         tried_ = along(at_, 1, by);
         if (!ground_.is_solid || ground_.is_inside(tried_)) return;
         // A step that leaves the bounds goes on along a wall.
-        for (std::size_t i = 0; i < 3; ++i) {
-            const formula::Interval wall = ground_.box[i];
-            tried_[i] = std::clamp(tried_[i], wall.lo + inset(), wall.hi - inset());
-        }
+        tried_ = moved_inside(tried_);
         if (distance(tried_, at_) <= at_rest * size_) return end(DescentPath::End::minimum);
         if (!ground_.is_inside(tried_)) end(DescentPath::End::lost);
     }

@@ -20,6 +20,12 @@ struct Domain {
     std::function<bool(const SpacePoint&)> is_inside;  // the bounds
     std::function<bool(const SpacePoint&)> is_outside; // certainly outside of the bounds
     double longest = 0.03;                             // longest step, as a fraction of the box
+    // The bounds, if they are a sphere.
+    struct Sphere {
+        SpacePoint centre{};
+        double radius = 0;
+    };
+    std::optional<Sphere> sphere{};
 };
 
 struct DescentPath {

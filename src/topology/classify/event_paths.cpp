@@ -8,6 +8,7 @@
 #include "base/workers.h"
 #include "topology/classify/field_snapshot.h"
 #include "topology/classify/morse_graph.h"
+#include "topology/classify/saddle_path.h"
 #include "topology/classify/saddle_tracks.h"
 
 namespace isomotion::topology {
@@ -16,12 +17,18 @@ namespace {
 using formula::Interval;
 
 constexpr int most_routes = 16, most_bridges = 3, most_seeds = 4096;
+// So many saddles are tried first, then two times as many more, and so on.
+constexpr std::size_t nearest_saddles = 16;
 // Parts of the box: minima that are one, and saddles that are the event's own.
 constexpr double same_minimum = 1e-5, own = 1e-6;
 
 Domain domain_of(const FieldSnapshot& snapshot, bool is_solid) {
-    return {snapshot.box, is_solid, snapshot.is_inside,
-            [&](const SpacePoint& p) { return snapshot.is_outside(point_box(p)); }};
+    Domain domain{snapshot.box, is_solid, snapshot.is_inside,
+                  [&](const SpacePoint& p) { return snapshot.is_outside(point_box(p)); }};
+    const EnclosedBounds& bounds = snapshot.bounds;
+    if (bounds.shape == scene::Bounds::Shape::sphere)
+        domain.sphere = {middle(bounds.centre), bounds.radius.lo};
+    return domain;
 }
 
 // Looks for passes where a route is missing: its gaps themselves where all of them seems to be low
@@ -212,8 +219,7 @@ Sides EventPaths::sides(Fields& fields, const Surface& surface, int effort,
     const std::size_t which = surface.events[0];
     const Event& event = events_[which];
     const bool is_solid = event.index == 1;
-    // The sides of a critical point of index 2 on a wall are the inside and the outside.
-    if (event.index != 1 && (event.index != 2 || event.stratum != 3)) return Sides::unknown;
+    if (event.index != 1 && event.index != 2) return Sides::unknown;
     const FieldSnapshot snapshot =
         field_snapshot(fields.over(*surface.piece, surface.bindings), surface.bounds);
     const SublevelSet region(snapshot, is_solid);
@@ -252,12 +258,27 @@ Sides EventPaths::sides(Fields& fields, const Surface& surface, int effort,
         // Ways by short steps may end elsewhere.
         if (effort > 0) graph.add(saddle_connections(field, with_short_steps, added));
     };
-    add(saddles_[std::size_t(event.index - 1)][which]);
+    // A way round is short, if there is one: the nearest saddles first, the others where these
+    // don't do.
+    std::vector<SpacePoint> saddles = saddles_[std::size_t(event.index - 1)][which];
+    std::ranges::sort(saddles, {},
+                      [&](const SpacePoint& p) { return distance(p, middle(event.where)); });
+    std::span<const SpacePoint> not_added(saddles);
+    const auto add_nearest = [&](std::size_t count) {
+        const auto nearest = not_added.first(std::min(count, not_added.size()));
+        not_added = not_added.subspan(nearest.size());
+        add(nearest);
+    };
+    add_nearest(effort > 1 ? saddles.size() : nearest_saddles);
     if (effort > 1) add(saddles_from_seeds(field, snapshot.box, most_seeds));
     for (int tries = 0, bridges = effort > 0 ? most_bridges : 0; tries < most_routes;) {
         if (stopped && stopped()) return Sides::unknown;
         const auto route = graph.route(own_ways[0], own_ways[1]);
         if (!route) {
+            if (!not_added.empty()) {
+                add_nearest(std::max(2 * (saddles.size() - not_added.size()), nearest_saddles));
+                continue;
+            }
             if (bridges-- > 0 && bridge(graph, own_ways, field, domain, add)) continue;
             return Sides::unknown;
         }

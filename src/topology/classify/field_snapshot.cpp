@@ -112,8 +112,7 @@ private:
 FieldSnapshot field_snapshot(std::shared_ptr<FrameField> field, const EnclosedBounds& bounds) {
     FieldSnapshot snapshot;
     for (std::size_t i = 0; i < 3; ++i) snapshot.box[i] = hull(bounds.low[i], bounds.high[i]);
-    snapshot.low = bounds.low;
-    snapshot.high = bounds.high;
+    snapshot.bounds = bounds;
     const auto parts = std::make_shared<Parts>(std::move(field), snapshot.box);
     snapshot.over = [parts](auto boxes, auto out) { parts->over(boxes, out); };
     snapshot.tighten = [parts](auto boxes, auto out) { parts->tighten(boxes, out); };

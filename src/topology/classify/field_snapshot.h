@@ -20,7 +20,7 @@ struct FieldSnapshot {
     std::function<void(std::span<const SpaceBox>, std::span<ValueAndGradient>)> tighten;
     std::function<SpaceHessian(const SpaceBox&)> hessian;
     SpaceBox box;
-    SpaceBox low, high; // the walls of the bounds, or of the box around them
+    EnclosedBounds bounds;
     std::function<bool(const SpacePoint&)> is_inside;
     std::function<bool(const SpaceBox&)> is_outside;
 };

@@ -499,10 +499,10 @@ void find_kinds(Timeline& timeline, const KindProofs& proofs) {
         for (const auto& frame : std::move(counting).frames()) frames.push_back(frame);
         std::ranges::sort(frames, {}, &Counting::Checkpoint::time);
     };
-    // What is cheap first: paths leave little to count. Boxes part the sides of some sixteen events
-    // in the time that a frame takes, which may tell of hundreds.
+    // What is cheap first: paths leave little to count. Boxes part the sides of some events in the
+    // time that a frame takes, which may tell of hundreds.
     // One without a proof takes about as long as eight with one.
-    constexpr std::ptrdiff_t events_a_frame = 16;
+    const std::ptrdiff_t events_a_frame = proofs.events_a_frame;
     constexpr int failure = 8;
     count(0);
     // A frame between two moments at which many events come tells of all of these, and paths of

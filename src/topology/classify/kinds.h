@@ -22,6 +22,8 @@ struct KindProofs {
     // Proved Betti numbers at a time without an event. May be unset, or fail.
     std::function<std::optional<Betti>(double time)> frame{};
     int most_frames = 16; // limit on calls of `frame` to part events while they are counted
+    // Boxes part the sides of about so many events in the time that a frame takes.
+    int events_a_frame = 16;
     // Once it returns true, no more proofs are requested.
     std::function<bool()> stopped{};
 };

@@ -6,6 +6,8 @@
 #include <unordered_map>
 #include <utility>
 
+#include "topology/classify/parting_plane.h"
+
 namespace isomotion::topology {
 namespace {
 
@@ -31,70 +33,9 @@ struct BoxKey {
     }
 };
 
-// 0 < d^T M d for all d but 0 and all symmetric matrices M of an enclosure: by leading minors.
-bool is_positive_definite(const SpaceHessian& m) {
-    const Interval first = m[0][0];
-    const Interval second = m[0][0] * m[1][1] - square(m[0][1]);
-    const Interval third = m[0][0] * (m[1][1] * m[2][2] - square(m[1][2])) -
-                           m[0][1] * (m[0][1] * m[2][2] - m[1][2] * m[0][2]) +
-                           m[0][2] * (m[0][1] * m[1][2] - m[1][1] * m[0][2]);
-    return first.lo > 0 && second.lo > 0 && third.lo > 0;
-}
-
-// The plane through a saddle p across the direction in which H curves down, and a box W about p:
-// for q of both, H(q) = 1/2 (q - p)^T H'' (q - p) with H'' at some point of W, and H'' + k v v^T is
-// positive definite for all of these, so H(q) > 0.
-struct Plane {
-    SpacePoint across{};
-    SpaceBox at{};     // the saddle
-    SpaceBox around{}; // W
-
-    // -1 or 1 on one side of it, 0 for both.
-    int side(const SpaceBox& box) const {
-        Interval height = 0;
-        for (std::size_t k = 0; k < 3; ++k)
-            height = height + Interval(across[k]) * (box[k] - at[k]);
-        return height.lo > 0 ? 1 : height.hi < 0 ? -1 : 0;
-    }
-    bool is_around(const SpaceBox& box) const {
-        for (std::size_t k = 0; k < 3; ++k) {
-            if (!contains(around[k], box[k])) return false;
-        }
-        return true;
-    }
-};
-
-std::optional<Plane> parting_plane(const SublevelSet& region, const Event& event) {
-    const SpacePoint centre = middle(event.where);
-    SpaceMatrix numbers;
-    const SpaceHessian there = region.hessian(event.where);
-    double scale = 0;
-    for (std::size_t i = 0; i < 3; ++i) {
-        for (std::size_t j = 0; j < 3; ++j) {
-            numbers[i][j] = mid(there[i][j]);
-            scale = std::max(scale, std::abs(numbers[i][j]));
-        }
-    }
-    Plane plane{least_direction(numbers), event.where, {}};
-    for (double r = longest_side(region.box()) / 16; r > 1e-7 * longest_side(region.box());
-         r /= 2) {
-        for (std::size_t k = 0; k < 3; ++k)
-            plane.around[k] = hull({centre[k] - r, centre[k] + r}, event.where[k]);
-        SpaceHessian bent = region.hessian(plane.around);
-        for (std::size_t i = 0; i < 3; ++i) {
-            for (std::size_t j = 0; j < 3; ++j) {
-                const Interval more = Interval(plane.across[i]) * Interval(plane.across[j]);
-                bent[i][j] = bent[i][j] + Interval(4 * scale) * more;
-            }
-        }
-        if (is_positive_definite(bent)) return plane;
-    }
-    return std::nullopt;
-}
-
 class Boxes {
 public:
-    Boxes(const SublevelSet& region, const Plane& plane, const PartingOptions& how)
+    Boxes(const SublevelSet& region, const PartingPlane& plane, const PartingOptions& how)
         : region_(region)
         , plane_(plane)
         , how_(how) {
@@ -102,6 +43,10 @@ public:
     }
 
     Sides sides(const std::array<SpacePoint, 2>& starts) {
+        const auto is_known = [&](const SpacePoint& start) {
+            return region_.is_inside(start) || region_.is_outside(point_box(start));
+        };
+        if (!is_known(starts[0]) || !is_known(starts[1])) return Sides::unknown;
         while (boxes_.size() < how_.boxes && !(how_.stopped && how_.stopped())) {
             const auto way = way_between(starts);
             if (!way) return Sides::apart;
@@ -254,18 +199,17 @@ private:
     // Judges a box by an enclosure of H over it.
     void judge(One& one, const Interval& value) const {
         one.state = value.hi < 0 ? State::in : value.lo > 0 ? State::out : State::open;
+        // A solid ends at the bounds; what is beyond them is the outside.
+        if (region_.is_all_outside(one.where)) one.state = State::out;
+        const bool is_all_inside = region_.is_all_inside(one.where);
+        const bool is_around = plane_.is_around(one.where);
         if (region_.is_solid()) {
-            // A solid ends at the bounds.
-            if (region_.is_all_outside(one.where)) one.state = State::out;
-            if (one.state == State::in && !region_.is_all_inside(one.where))
-                one.state = State::open;
+            if (one.state == State::in && !is_all_inside) one.state = State::open;
         } else {
-            const bool is_all_outside = region_.is_all_outside(one.where);
-            one.may_leave = !region_.is_all_inside(one.where);
-            one.leaves = is_all_outside || reaches_end(one.key);
-            if (is_all_outside) one.state = State::in;
+            one.may_leave = !is_all_inside && !(plane_.is_wall && is_around);
+            one.leaves = reaches_end(one.key) || region_.has_corner_outside(one.where);
         }
-        one.is_parted = plane_.is_around(one.where) && plane_.side(one.where) == 0;
+        one.is_parted = !plane_.is_wall && is_around && plane_.side(one.where) == 0;
     }
 
     // The undivided boxes beside those of one, kept until one of them is divided.
@@ -329,6 +273,7 @@ private:
         return now;
     }
     Half half_at(const SpacePoint& p) const {
+        if (region_.is_outside(point_box(p))) return outside;
         const std::size_t box = box_at(p);
         return half(box, boxes_[box].is_parted && plane_.side(point_box(p)) > 0);
     }
@@ -402,7 +347,7 @@ private:
     }
 
     const SublevelSet& region_;
-    const Plane& plane_;
+    const PartingPlane& plane_;
     const PartingOptions& how_;
     struct Reached {
         Half before; // by which half
@@ -429,9 +374,10 @@ private:
 Sides sides_by_boxes(const SublevelSet& region, const Event& event,
                      const std::array<SpacePoint, 2>& starts, const PartingOptions& how) {
     const auto plane = parting_plane(region, event);
-    if (!plane || event.stratum != 3) return Sides::unknown;
+    if (!plane) return Sides::unknown;
     // The two starts have to be on different sides of the plane.
-    if (plane->side(point_box(starts[0])) * plane->side(point_box(starts[1])) != -1)
+    if (!plane->is_wall &&
+        plane->side(point_box(starts[0])) * plane->side(point_box(starts[1])) != -1)
         return Sides::unknown;
     return Boxes(region, *plane, how).sides(starts);
 }

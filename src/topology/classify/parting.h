@@ -9,7 +9,7 @@
 
 #include <functional>
 
-#include "topology/classify/saddle_path.h"
+#include "topology/classify/event_sides.h"
 
 namespace isomotion::topology {
 
@@ -20,12 +20,11 @@ enum class Sides {
 };
 
 struct PartingOptions {
-    std::size_t boxes = 30'000; // at most
+    std::size_t boxes = 60'000; // at most
     std::function<bool()> stopped{};
 };
 
-// Takes an event of index 1, or of index 2 for -G, inside of the bounds. `starts` come from
-// both_sides().
+// Takes an event of index 1, or of index 2 for -G. `starts` come from both_sides().
 Sides sides_by_boxes(const SublevelSet& region, const Event& event,
                      const std::array<SpacePoint, 2>& starts, const PartingOptions& how = {});
 

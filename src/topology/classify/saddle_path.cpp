@@ -2,43 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
+
+#include "topology/classify/curvature.h"
 
 namespace isomotion::topology {
 namespace {
 
 using formula::Interval;
-
-// d^T H d.
-Interval curvature(const SpaceHessian& h, const SpaceBox& d) {
-    Interval sum = 0;
-    for (std::size_t i = 0; i < 3; ++i) {
-        sum = sum + h[i][i] * square(d[i]);
-        for (std::size_t j = i + 1; j < 3; ++j) sum = sum + Interval(2) * h[i][j] * (d[i] * d[j]);
-    }
-    return sum;
-}
-
-bool curves_down(const SpaceHessian& h, const SpaceBox& d) { return curvature(h, d).hi < 0; }
-
-// Whether all of a box is proved to be in the region, by H over it or by H's gradient from the
-// middle.
-bool holds(const SublevelSet& region, const SpaceBox& box) {
-    const SpacePoint at = middle(box);
-    const ValueAndGradient h = region.over({&box, 1}).front();
-    const SpaceBox centre = point_box(at);
-    Interval value = region.values({&centre, 1}).front();
-    for (std::size_t i = 0; i < 3; ++i) value = value + h.gradient[i] * (box[i] - Interval(at[i]));
-    return h.value.hi < 0 || value.hi < 0;
-}
-
-// The coordinates that are free on the event's stratum; none where another might be on a wall.
-std::optional<std::array<bool, 3>> free_axes(const SublevelSet& region, const Event& event) {
-    if (event.stratum == 3) return std::array{true, true, true};
-    std::array<bool, 3> free{};
-    for (std::size_t i = 0; i < 3; ++i) free[i] = !region.may_be_on_wall(i, event.where[i]);
-    if (std::ranges::count(free, true) != event.stratum) return std::nullopt;
-    return free;
-}
 
 // The most that H can be on the segment from a to b, both ends' values and H's gradient along it
 // known: it rises from either end at most as fast as that says, and so to where both bounds meet.
@@ -68,55 +39,6 @@ Interval rise_between(const SublevelSet& region, const SpacePoint& a, const Spac
 }
 
 } // namespace
-
-// Points on both sides of the saddle, each joined to it by a segment in the region. With H = 0 and
-// no gradient at the critical point p, H(p + s d) = s^2/2 d^T H'' d for second derivatives at some
-// point of the segment: negative on all of it if they bend down over a box around it. That the
-// directions to both, one turned round, are together in a box on which H'' at p bends down says
-// that they are in different nappes.
-std::optional<std::array<SpacePoint, 2>> both_sides(const SublevelSet& region, const Event& event) {
-    const SpaceBox& where = event.where;
-    const auto axes = free_axes(region, event);
-    if (!axes) return std::nullopt;
-    const std::array<bool, 3>& free = *axes;
-    const SpaceHessian hessian = region.hessian(where);
-    SpaceMatrix numbers;
-    for (std::size_t i = 0; i < 3; ++i) {
-        for (std::size_t j = 0; j < 3; ++j) numbers[i][j] = mid(hessian[i][j]);
-    }
-    const SpacePoint direction = least_direction(numbers, free);
-    const SpacePoint centre = middle(where);
-    const auto step_to = [&](const SpacePoint& q, double sign) {
-        SpaceBox d;
-        for (std::size_t i = 0; i < 3; ++i)
-            d[i] = free[i] ? Interval(sign) * (Interval(q[i]) - where[i]) : Interval(0);
-        return d;
-    };
-    double reach = 0;
-    for (const Interval& side : region.box()) reach = std::max(reach, side.hi - side.lo);
-    for (double r = reach / 32; r > reach * 1e-9; r /= 2) {
-        const SpacePoint a = along(centre, r, direction), b = along(centre, -r, direction);
-        const SpaceBox da = step_to(a, 1), db = step_to(b, -1);
-        if (!curves_down(hessian, hull_of(da, db))) continue;
-        if (!curves_down(region.hessian(hull_of(where, point_box(a))), da)) continue;
-        if (!curves_down(region.hessian(hull_of(where, point_box(b))), db)) continue;
-        std::array sides{a, b};
-        if (event.stratum < 3) {
-            // On a wall they are in the bounds as the event is; from there a little inwards.
-            for (SpacePoint& side : sides) {
-                SpaceBox on_wall = point_box(side);
-                for (std::size_t i = 0; i < 3; ++i) {
-                    if (free[i]) continue;
-                    on_wall[i] = where[i];
-                    side[i] += 1e-7 * (mid(region.box()[i]) - side[i]);
-                }
-                if (!holds(region, hull_of(on_wall, point_box(side)))) return std::nullopt;
-            }
-        }
-        if (region.may_hold(sides[0]) && region.may_hold(sides[1])) return sides;
-    }
-    return std::nullopt;
-}
 
 // Chords over many corners first; what is not proved of one is left to its halves, and between two
 // neighbours to the halves of the segment.

@@ -42,13 +42,25 @@ SpaceHessian SublevelSet::hessian(const SpaceBox& box) const {
     return h;
 }
 
-bool SublevelSet::is_all_inside(const SpaceBox& box) const {
+namespace {
+
+bool has_corner(const SpaceBox& box, auto&& is) {
     for (unsigned corner = 0; corner < 8; ++corner) {
         SpacePoint p;
         for (std::size_t k = 0; k < 3; ++k) p[k] = corner >> k & 1 ? box[k].hi : box[k].lo;
-        if (!snapshot_.is_inside(p)) return false;
+        if (is(p)) return true;
     }
-    return true;
+    return false;
+}
+
+} // namespace
+
+bool SublevelSet::is_all_inside(const SpaceBox& box) const {
+    return !has_corner(box, [&](const SpacePoint& p) { return !snapshot_.is_inside(p); });
+}
+
+bool SublevelSet::has_corner_outside(const SpaceBox& box) const {
+    return has_corner(box, [&](const SpacePoint& p) { return snapshot_.is_outside(point_box(p)); });
 }
 
 } // namespace isomotion::topology

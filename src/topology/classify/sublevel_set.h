@@ -18,10 +18,11 @@ public:
 
     bool is_solid() const { return is_solid_; }
     const SpaceBox& box() const { return snapshot_.box; }
+    const EnclosedBounds& bounds() const { return snapshot_.bounds; }
     // False if a coordinate is provably off both walls perpendicular to it.
     bool may_be_on_wall(std::size_t axis, formula::Interval coordinate) const {
-        return !is_empty(intersect(coordinate, snapshot_.low[axis])) ||
-               !is_empty(intersect(coordinate, snapshot_.high[axis]));
+        return !is_empty(intersect(coordinate, bounds().low[axis])) ||
+               !is_empty(intersect(coordinate, bounds().high[axis]));
     }
 
     std::vector<ValueAndGradient> over(std::span<const SpaceBox> boxes) const;
@@ -33,9 +34,11 @@ public:
     // Whether a point may be a corner of a path. Between two such points the path stays inside of
     // the bounds, since these are convex.
     bool may_hold(const SpacePoint& p) const { return !is_solid_ || snapshot_.is_inside(p); }
+    bool is_inside(const SpacePoint& p) const { return snapshot_.is_inside(p); }
     bool is_outside(const SpaceBox& box) const { return !is_solid_ && snapshot_.is_outside(box); }
     // Whether the whole box is inside the bounds, which are convex.
     bool is_all_inside(const SpaceBox& box) const;
+    bool has_corner_outside(const SpaceBox& box) const;
     bool is_all_outside(const SpaceBox& box) const { return snapshot_.is_outside(box); }
 
 private:

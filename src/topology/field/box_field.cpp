@@ -110,7 +110,7 @@ BoxField::Culling BoxField::culling(Graph& graph, int array, const Loops& loops,
     made.array = array;
     made.keys = loops.keys.size();
     const std::vector<NodeId> below = formula::nodes_below(graph, first_order);
-    std::vector<NodeId> bodies, more;
+    std::vector<NodeId> bodies, more, in_middle;
     bodies.reserve(loops.sums.size() + loops.keys.size());
     NodeId unless_smooth = graph.constant(0);
     for (const NodeId id : loops.sums) {
@@ -119,6 +119,10 @@ BoxField::Culling BoxField::culling(Graph& graph, int array, const Loops& loops,
         const auto known = std::ranges::find(slopes, id, &SumSlopes::sum);
         if (known == slopes.end()) continue;
         made.can_expand = true;
+        in_middle.push_back(graph[id].children[0]);
+        if (!known->second.empty())
+            in_middle.insert(in_middle.end(), known->first.begin(),
+                             known->first.begin() + std::ptrdiff_t(rows_));
         more.insert(more.end(), known->first.begin(), known->first.end());
         more.insert(more.end(), known->second.begin(), known->second.end());
         unless_smooth = graph.add(unless_smooth, known->unless_smooth);
@@ -137,6 +141,7 @@ BoxField::Culling BoxField::culling(Graph& graph, int array, const Loops& loops,
     if (!made.can_expand) return made;
     bodies.insert(bodies.end(), more.begin(), more.end());
     made.expansion = formula::schedule(graph, formula::substitute(graph, graph, bodies, as_input));
+    made.middle = formula::schedule(graph, formula::substitute(graph, graph, in_middle, as_input));
     return made;
 }
 
@@ -152,6 +157,7 @@ BoxEvaluator::BoxEvaluator(const BoxField& field, formula::Bindings<Interval> bi
     for (const auto& culling : field.cullings_) {
         terms_.emplace_back(culling.terms);
         expansions_.emplace_back(culling.expansion);
+        middles_.emplace_back(culling.middle);
     }
 }
 

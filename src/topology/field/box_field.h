@@ -55,6 +55,8 @@ private:
         // each sum, each key, then slopes of the terms as their sums' remainders have them, then
         // what is 0 where they are smooth.
         formula::Program expansion;
+        // What of these is asked for in the middle of a box.
+        formula::Program middle;
         bool can_expand = false;
     };
     // The remainder of a sum by Taylor's formula, as parameters of the expanded programs: the value
@@ -153,7 +155,7 @@ private:
     const BoxField& field_;
     Elements all_;
     Evaluator value_, gradient_, jet_, expanded_value_, expanded_gradient_, expanded_jet_;
-    std::vector<Evaluator> terms_, expansions_; // one for each culling
+    std::vector<Evaluator> terms_, expansions_, middles_; // one for each culling
     std::vector<std::vector<formula::Interval>> inputs_, outputs_;
 };
 

@@ -1,7 +1,9 @@
 #include "topology/search/isolation.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <vector>
 
 #include "topology/search/critical_system.h"
 
@@ -44,24 +46,32 @@ std::optional<CriticalPoint> isolate(const MovingField& field, Enclosures& enclo
                               1e-13 * std::max(std::abs((*x)[k]), magnitude(field.domain()[k]));
         alone[k] = {std::min(box[k].lo, (*x)[k]) - margin, std::max(box[k].hi, (*x)[k]) + margin};
     }
+    std::vector<Jet<Interval>> jets;
     const auto contract = [&](const Box& in) -> std::optional<Krawczyk> {
         Point m = *x;
         for (std::size_t k = 0; k < n; ++k) m[k] = std::clamp(m[k], in[k].lo, in[k].hi);
-        const IntervalMatrix slopes = jacobian(enclosures.jet(in), n);
+        // Together: all elements of sums are gone through once.
+        enclosures.jets(enclosures.all(), std::array{in, at_point(m)}, jets);
+        const IntervalMatrix slopes = jacobian(jets[0], n);
         const auto y = middle_inverse(slopes, int(n));
         if (!y) return std::nullopt;
-        return krawczyk(in, m, residual(enclosures.jet(at_point(m)), n), slopes, *y, int(n));
+        return krawczyk(in, m, residual(jets[1], n), slopes, *y, int(n));
     };
     const auto first = contract(alone);
     if (!first || !first->is_inside) return std::nullopt;
     CriticalPoint point{first->image, alone, {}};
-    for (int k = 0; k < 20; ++k) {
+    // A wide box may shrink slowly at first.
+    constexpr double narrow = 1e-9, while_narrow = 0.8, while_wide = 0.99;
+    for (int k = 0; k < 100; ++k) {
         const auto next = contract(point.where);
         if (!next) break;
         bool shrinks = false;
         for (std::size_t i = 0; i < n; ++i) {
             const Interval both = intersect(point.where[i], next->image[i]);
-            shrinks |= both.hi - both.lo < 0.8 * (point.where[i].hi - point.where[i].lo);
+            const double before = point.where[i].hi - point.where[i].lo;
+            const double whole = field.domain()[i].hi - field.domain()[i].lo;
+            shrinks |=
+                both.hi - both.lo < (before > narrow * whole ? while_wide : while_narrow) * before;
             point.where[i] = both;
         }
         if (!shrinks) break;

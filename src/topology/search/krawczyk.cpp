@@ -61,6 +61,27 @@ std::optional<Matrix> middle_inverse(const IntervalMatrix& slopes, int n) {
     return inverse(middle, n);
 }
 
+ImageEstimate estimate(const Box& x, const Box& at_middle, const IntervalMatrix& slopes,
+                       const Matrix& y, int n) {
+    const auto size = std::size_t(n);
+    const auto half_width = [](const Interval& a) { return (a.hi - a.lo) / 2; };
+    Point value{}, blur{};
+    for (std::size_t l = 0; l < size; ++l) {
+        value[l] = mid(at_middle[l]);
+        blur[l] = half_width(at_middle[l]);
+        for (std::size_t j = 0; j < size; ++j)
+            blur[l] += half_width(slopes[l][j]) * half_width(x[j]);
+    }
+    ImageEstimate image;
+    for (std::size_t i = 0; i < size; ++i) {
+        for (std::size_t l = 0; l < size; ++l) {
+            image.shift[i] -= y[i][l] * value[l];
+            image.reach[i] += std::abs(y[i][l]) * blur[l];
+        }
+    }
+    return image;
+}
+
 Krawczyk krawczyk(const Box& x, const Point& middle, const Box& at_middle,
                   const IntervalMatrix& slopes, const Matrix& y, int n) {
     const auto size = std::size_t(n);

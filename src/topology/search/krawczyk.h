@@ -30,6 +30,15 @@ struct Krawczyk {
     double contraction = 0;
 };
 
+// The image in doubles, with I - Y S taken for 0 where S is the middle of the slopes: it tells for
+// a third of the cost whether the enclosure is worth computing, and proves nothing.
+struct ImageEstimate {
+    Point shift{}; // of its middle
+    Point reach{}; // to both sides
+};
+ImageEstimate estimate(const Box& x, const Box& at_middle, const IntervalMatrix& slopes,
+                       const Matrix& y, int n);
+
 Krawczyk krawczyk(const Box& x, const Point& middle, const Box& at_middle,
                   const IntervalMatrix& slopes, const Matrix& y, int n);
 

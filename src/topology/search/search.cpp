@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
+#include <utility>
 
 #include "base/workers.h"
 #include "topology/search/critical_system.h"
@@ -22,13 +23,18 @@ constexpr std::size_t family_size = 96;
 constexpr double shrunk = 0.25, much_shrunk = 1.0 / 64;
 // What no box below may miss, as a part of the largest term; and how much terms that are left out
 // may blur a sum in a family, as a part of what intervals of all its terms blur it.
-constexpr double negligible = 1e-12, blur = 0.03;
+constexpr double negligible = 1e-12, blur = 0.02;
 // Boxes evaluated together.
 constexpr std::size_t together = 64;
 // Where second derivatives end fewer boxes than this part they cost more than they save. After so
 // many boxes of one size that is known.
 constexpr double worth_hessians = 0.25;
 constexpr std::int64_t hessians_to_judge = 16;
+// A root is sought in boxes smaller than this part of the domain, whatever Krawczyk's operator
+// says.
+constexpr double smallest_without_doubt = 1e-3;
+// A box that shrinks to less than this part of itself is not divided.
+constexpr double worth_narrowing = 0.6;
 // With more unresolved boxes than this in a task the smallest box grows: a curve of them.
 constexpr std::size_t too_many = 256;
 
@@ -215,6 +221,9 @@ private:
             return !inside && enclosures_.place(box) == Enclosures::Place::outside &&
                    is_done(Test::place);
         });
+        // Functions of the clock alone are evaluated once for boxes of one time next to each other.
+        std::ranges::stable_sort(
+            wave, {}, [&](const Box& box) { return std::pair(box[n_ - 1].lo, box[n_ - 1].hi); });
         enclosures_.gradients(elements, wave, jets_);
         for (std::size_t b = 0; b < wave.size(); ++b) {
             const Box& box = wave[b];
@@ -223,7 +232,7 @@ private:
             } else if (!may_be_critical(jets_[b])) {
                 is_done(Test::gradient);
             } else if (is_worth_hessians(box)) {
-                waiting_.push_back(box);
+                waiting_.push_back({box, jets_[b].gradient});
             } else {
                 divide(box, typical_smear(box));
             }
@@ -231,13 +240,28 @@ private:
     }
 
     void settle(const Elements& elements) {
-        const std::size_t count = std::min(together, waiting_.size());
-        now_.assign(waiting_.end() - std::ptrdiff_t(count), waiting_.end());
-        waiting_.resize(waiting_.size() - count);
+        const auto taken = waiting_.end() - std::ptrdiff_t(std::min(together, waiting_.size()));
         centres_.clear();
-        for (const Box& box : now_) centres_.push_back(at_point(middle(box)));
-        enclosures_.jets(elements, now_, jets_);
+        for (auto one = taken; one != waiting_.end(); ++one)
+            centres_.push_back(at_point(middle(one->box)));
         enclosures_.gradients(elements, centres_, at_centres_);
+        // What first derivatives end takes no second ones.
+        now_.clear();
+        std::size_t kept = 0;
+        for (auto one = taken; one != waiting_.end(); ++one) {
+            const auto b = std::size_t(one - taken);
+            const Interval value =
+                mean_value(one->box, centres_[b], at_centres_[b].value, one->gradient);
+            if (!contains(value, 0.0)) {
+                ++hessians_[size_class(one->box)].ended;
+                is_done(Test::value);
+                continue;
+            }
+            now_.push_back(one->box);
+            at_centres_[kept++] = at_centres_[b];
+        }
+        waiting_.erase(taken, waiting_.end());
+        enclosures_.jets(elements, now_, jets_);
         for (std::size_t b = 0; b < now_.size() && !is_stopped(); ++b) {
             const auto divided = found_.work.removed[std::size_t(Test::divided)];
             settle(now_[b], jets_[b], at_centres_[b]);
@@ -302,11 +326,13 @@ private:
             return found_.work.count(Test::hessian);
         }
         const IntervalMatrix slopes = jacobian(jet, n_);
-        if (const auto y = middle_inverse(slopes, int(n_))) {
-            const Krawczyk k = krawczyk(box, m, residual(at_m, n_), slopes, *y, int(n_));
+        const Box at_middle = residual(at_m, n_);
+        const auto y = middle_inverse(slopes, int(n_));
+        if (y && may_tell(box, estimate(box, at_middle, slopes, *y, int(n_)))) {
+            const Krawczyk k = krawczyk(box, m, at_middle, slopes, *y, int(n_));
             if (k.is_empty) return found_.work.count(Test::krawczyk);
             const bool may_be_alone = k.contraction < 1 && holds_middle(box, k);
-            if (k.is_inside || may_be_alone || spatial_size(box) < 1e-3) {
+            if (k.is_inside || may_be_alone || spatial_size(box) < smallest_without_doubt) {
                 if (const auto point = isolate(field_, enclosures_, numbers_, box)) {
                     found_.points.push_back(*point);
                     return found_.work.count(Test::isolated);
@@ -319,12 +345,31 @@ private:
                 if (is_empty(box[i])) return found_.work.count(Test::krawczyk);
                 if (before > 0) shrinks *= (box[i].hi - box[i].lo) / before;
             }
-            if (shrinks < 0.6) {
+            if (shrinks < worth_narrowing) {
                 next_.push_back(box);
                 return found_.work.count(Test::narrowed);
             }
         }
         divide(box, slopes);
+    }
+
+    // Whether Krawczyk's operator seems to end the box or to narrow it by as much as counts below;
+    // in doubt, yes.
+    bool may_tell(const Box& box, const ImageEstimate& image) const {
+        constexpr double doubt = 1.05;
+        if (spatial_size(box) < smallest_without_doubt) return true;
+        double shrinks = 1;
+        bool may_be_alone = true;
+        for (std::size_t i = 0; i < n_; ++i) {
+            const double half = (box[i].hi - box[i].lo) / 2;
+            const double shift = std::abs(image.shift[i]), reach = image.reach[i];
+            if (doubt * shift > half + reach) return true;
+            may_be_alone &= reach < doubt * half && shift < doubt * half;
+            if (half > 0)
+                shrinks *=
+                    (std::min(half, shift + reach) + std::min(half, reach - shift)) / 2 / half;
+        }
+        return may_be_alone || shrinks < doubt * worth_narrowing;
     }
 
     // Whether the box holds the middle of its image, which is about where its root would be. To
@@ -418,7 +463,12 @@ private:
     };
     std::array<Hessians, 128> hessians_{};
     Smear smear_{}; // of late, for each whole side
-    std::vector<Box> next_, waiting_, now_, centres_;
+    struct Waiting {
+        Box box;
+        std::array<Interval, most_variables> gradient;
+    };
+    std::vector<Waiting> waiting_;
+    std::vector<Box> next_, now_, centres_;
     std::vector<IntervalJet> jets_, at_centres_;
 };
 

@@ -138,6 +138,37 @@ const Passing passings[] = {
      Kind::tunnel_forms,
      true,
      2},
+    // On the sphere's pole, where 1 - z is (x^2 + y^2)/2.
+    {"two caps meet on a sphere",
+     "1 - z - x^2 + x^4 - c",
+     "{ sphere = 1 }",
+     0,
+     {0, 0, 1},
+     1,
+     true,
+     Kind::merge,
+     false,
+     2},
+    {"a bubble leaves a sphere",
+     "0.16 - x^2 - y^2 - (z - 0.6)^2 - c",
+     "{ sphere = 1 }",
+     0,
+     {0, 0, 1},
+     2,
+     true,
+     Kind::void_forms,
+     false,
+     2},
+    {"a groove becomes a hole",
+     "0.16 - (x - 0.6)^2 - y^2 - c",
+     "{ sphere = 1 }",
+     0,
+     {1, 0, 0},
+     1,
+     true,
+     Kind::tunnel_forms,
+     true,
+     2},
 };
 
 class Passages : public testing::TestWithParam<Passing> {
@@ -196,7 +227,7 @@ TEST_P(Passages, KindIsFound) {
     }
 }
 
-// A path alone tells of a tunnel; that there is none, boxes tell, but not on walls.
+// A path alone tells of a tunnel; that there is none, boxes tell.
 TEST_P(Passages, KindIsFoundWithoutFrames) {
     Timeline timeline;
     timeline.range = range_;
@@ -206,9 +237,8 @@ TEST_P(Passages, KindIsFoundWithoutFrames) {
     proofs.paths = frames_.proofs({event()}).paths;
     find_kinds(timeline, proofs);
     const Event& found = timeline.events[0];
-    const bool is_told = GetParam().is_joined || GetParam().stratum == 3;
-    EXPECT_EQ(found.kind, is_told ? GetParam().kind : Kind::unknown);
-    EXPECT_EQ(found.kind_proof, GetParam().is_joined ? "path" : is_told ? "apart" : "");
+    EXPECT_EQ(found.kind, GetParam().kind);
+    EXPECT_EQ(found.kind_proof, GetParam().is_joined ? "path" : "apart");
 }
 
 INSTANTIATE_TEST_SUITE_P(Kinds, Passages, testing::ValuesIn(passings));

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "topology/classify/event_sides.h"
 #include "topology/classify/field_snapshot.h"
 #include "topology/field/timed_formula.h"
 #include "topology/scenes.h"

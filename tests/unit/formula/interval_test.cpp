@@ -142,5 +142,36 @@ TEST(IntervalArithmetic, DivisorsThatHoldZero) {
     EXPECT_EQ((Interval(1, infinity) / Interval(1, infinity)).lo, 0);
 }
 
+// Fewer comparisons, the same ends.
+TEST(IntervalArithmetic, KnownSignsDoNotChangeProducts) {
+    constexpr std::uint64_t seed = 57;
+    SCOPED_TRACE(testing::Message() << "seed " << seed);
+    IntervalGenerator random(seed);
+    int not_negative = 0, neither_is = 0, numbers = 0;
+    for (int trial = 0; trial < 200'000; ++trial) {
+        const Interval a = random.interval(), b = random.interval();
+        SCOPED_TRACE(testing::PrintToString(std::pair(a, b)));
+        const Interval product = a * b;
+        if (!(b.lo >= 0 && b.hi > 0)) continue;
+        ++not_negative;
+        ASSERT_EQ(times_not_negative(a, b), product);
+        if (a.lo >= 0 && a.hi > 0) {
+            ++neither_is;
+            ASSERT_EQ(product_not_negative(a, b), product);
+        }
+        if (b.lo > 0 && is_point(b)) {
+            ++numbers;
+            ASSERT_EQ(times_positive(a, b.lo), product);
+        }
+    }
+    EXPECT_GT(not_negative, 20'000);
+    EXPECT_GT(neither_is, 3'000);
+    EXPECT_GT(numbers, 1'000);
+    for (const Interval a : {Interval(0, 0), Interval(-2, 0), Interval(-2, 3), all}) {
+        EXPECT_TRUE(contains(times_not_negative(a, {0, 0}), 0.0));
+        EXPECT_TRUE(contains(product_not_negative({mignitude(a), magnitude(a)}, {0, 0}), 0.0));
+    }
+}
+
 } // namespace
 } // namespace isomotion::formula

@@ -79,7 +79,7 @@ private:
         const int open = (open_[0] ? 2 : 0) + (open_[1] ? 2 : 0);
         const int choice = random_.below(5 + open);
         if (choice < 3) {
-            const std::string name = coordinate_names[std::size_t(choice)];
+            const std::string& name = coordinate_names[std::size_t(choice)];
             return {name, [choice](Meaning& m) { return m.p[std::size_t(choice)]; }};
         }
         if (choice < 5) {
