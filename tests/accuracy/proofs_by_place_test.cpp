@@ -9,7 +9,7 @@
 #include "synthesis/assemble.h"
 #include "unit/elements/families.h"
 
-namespace isomotion::accuracy {
+namespace isomotion::accuracy::proofs_by_place_test {
 namespace {
 
 using render::Picture, render::Proof, render::scene_of, render::Verdict;
@@ -191,4 +191,4 @@ certify = true
 }
 
 } // namespace
-} // namespace isomotion::accuracy
+} // namespace isomotion::accuracy::proofs_by_place_test

@@ -5,7 +5,7 @@
 
 #include "render/drawing.h"
 
-namespace isomotion::render {
+namespace isomotion::render::contours_test {
 namespace {
 
 gpu::Context& context_of_contours() {
@@ -134,4 +134,4 @@ TEST(Contours, AreTheSameWithEffects) {
 }
 
 } // namespace
-} // namespace isomotion::render
+} // namespace isomotion::render::contours_test

@@ -6,7 +6,7 @@
 #include "effects/optics.h"
 #include "render/drawing.h"
 
-namespace isomotion::render {
+namespace isomotion::render::glass_test {
 namespace {
 
 gpu::Context& context_of_glass() {
@@ -368,4 +368,4 @@ TEST(Glass, TakesNothingFromTheHighlightOfMetal) {
 }
 
 } // namespace
-} // namespace isomotion::render
+} // namespace isomotion::render::glass_test

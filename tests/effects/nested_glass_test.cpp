@@ -6,7 +6,7 @@
 #include "effects/optics.h"
 #include "render/drawing.h"
 
-namespace isomotion::render {
+namespace isomotion::render::nested_glass_test {
 namespace {
 
 using synthesis::Channel;
@@ -441,4 +441,4 @@ TEST(NestedGlass, NeitherDrawsNorPlaceMatter) {
 }
 
 } // namespace
-} // namespace isomotion::render
+} // namespace isomotion::render::nested_glass_test

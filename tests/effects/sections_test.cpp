@@ -9,7 +9,7 @@
 #include "truth/field_at_frame.h"
 #include "truth/judge.h"
 
-namespace isomotion::render {
+namespace isomotion::render::sections_test {
 namespace {
 
 using synthesis::Channel;
@@ -343,4 +343,4 @@ TEST(Section, NoCapIsWhereFHasNoValue) {
 }
 
 } // namespace
-} // namespace isomotion::render
+} // namespace isomotion::render::sections_test

@@ -9,7 +9,7 @@
 #include "scene/method.h"
 #include "truth/first_root.h"
 
-namespace isomotion::render {
+namespace isomotion::render::shadow_test {
 namespace {
 
 gpu::Context& context() {
@@ -320,4 +320,4 @@ INSTANTIATE_TEST_SUITE_P(Surfaces, CatalogueShadow, testing::ValuesIn(surfaces_i
                          [](const auto& tested) { return tested.param; });
 
 } // namespace
-} // namespace isomotion::render
+} // namespace isomotion::render::shadow_test

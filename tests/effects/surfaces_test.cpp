@@ -9,7 +9,7 @@
 #include "truth/judge.h"
 #include "truth/nearest.h"
 
-namespace isomotion::render {
+namespace isomotion::render::surfaces_test {
 namespace {
 
 using synthesis::Channel;
@@ -361,4 +361,4 @@ TEST(Surfaces, SettingsChangeAlike) {
 }
 
 } // namespace
-} // namespace isomotion::render
+} // namespace isomotion::render::surfaces_test

@@ -5,7 +5,7 @@
 
 #include "render/drawing.h"
 
-namespace isomotion::render {
+namespace isomotion::render::surroundings_test {
 namespace {
 
 class Surroundings : public Drawing {
@@ -157,4 +157,4 @@ TEST_P(Surroundings, AFloorMirrorsTheShadowOnAWall) {
 }
 
 } // namespace
-} // namespace isomotion::render
+} // namespace isomotion::render::surroundings_test

@@ -6,7 +6,7 @@
 #include "render/drawing.h"
 #include "truth/certify.h"
 
-namespace isomotion::render {
+namespace isomotion::render::velocity_test {
 namespace {
 
 class Velocity : public Drawing {
@@ -182,4 +182,4 @@ TEST_P(Velocity, OfSeveralIsThatOfTheSurfaceThatIsSeen) {
 }
 
 } // namespace
-} // namespace isomotion::render
+} // namespace isomotion::render::velocity_test

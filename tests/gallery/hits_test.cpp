@@ -7,7 +7,7 @@
 #include "render/drawing.h"
 #include "scene/surfaces.h"
 
-namespace isomotion::render {
+namespace isomotion::render::hits_test {
 namespace {
 
 class GalleryHits : public EveryAnimation {
@@ -88,4 +88,4 @@ TEST_P(GalleryHits, AreTheFirstRootsThatDenseSamplingFinds) {
 }
 
 } // namespace
-} // namespace isomotion::render
+} // namespace isomotion::render::hits_test

@@ -3,7 +3,7 @@
 #include "gpu/compute.h"
 #include "render/drawing.h"
 
-namespace isomotion::render {
+namespace isomotion::render::arithmetic_speed_test {
 namespace {
 
 class Speed : public gpu::EveryBackend {};
@@ -47,4 +47,4 @@ TEST_P(Speed, IsThatOfChainsWhichAreAllComputed) {
 }
 
 } // namespace
-} // namespace isomotion::render
+} // namespace isomotion::render::arithmetic_speed_test

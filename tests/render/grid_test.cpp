@@ -6,7 +6,7 @@
 #include "scene/reading/load.h"
 #include "synthesis/assemble.h"
 
-namespace isomotion::render {
+namespace isomotion::render::grid_test {
 namespace {
 
 class Grid : public Drawing {};
@@ -194,4 +194,4 @@ TEST_P(Grid, SaysWhereTooManyMeet) {
 }
 
 } // namespace
-} // namespace isomotion::render
+} // namespace isomotion::render::grid_test

@@ -4,7 +4,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-namespace isomotion::render {
+namespace isomotion::render::hermite_test {
 namespace {
 
 // A view without beams and with them: both sides of a formula's default.
@@ -311,4 +311,4 @@ TEST_P(Hermite, JumpsAndPolesAreNoRoots) {
 }
 
 } // namespace
-} // namespace isomotion::render
+} // namespace isomotion::render::hermite_test

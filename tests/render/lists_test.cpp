@@ -9,7 +9,7 @@
 #include "synthesis/assemble.h"
 #include "thorough.h"
 
-namespace isomotion::render {
+namespace isomotion::render::lists_test {
 namespace {
 
 // What beams take away. They may add: cubics step over small blobs where they begin far off.
@@ -183,4 +183,4 @@ TEST_P(Lists, FollowANumberOfElementsThatChanges) {
 }
 
 } // namespace
-} // namespace isomotion::render
+} // namespace isomotion::render::lists_test

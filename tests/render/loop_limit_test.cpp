@@ -6,7 +6,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-namespace isomotion::render {
+namespace isomotion::render::loop_limit_test {
 namespace {
 
 class LoopLimit : public Drawing {};
@@ -84,4 +84,4 @@ TEST_P(LoopLimit, ASumLongerThanAShaderCanLoopIsRefused) {
 }
 
 } // namespace
-} // namespace isomotion::render
+} // namespace isomotion::render::loop_limit_test

@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-namespace isomotion::render {
+namespace isomotion::render::open_squares_test {
 namespace {
 
 constexpr auto is_negative = [](float first) { return first < 0; };
@@ -89,4 +89,4 @@ TEST(OpenSquares, HoldEveryOpenPixelOnce) {
 }
 
 } // namespace
-} // namespace isomotion::render
+} // namespace isomotion::render::open_squares_test

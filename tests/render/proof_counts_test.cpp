@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-namespace isomotion::render {
+namespace isomotion::render::proof_counts_test {
 namespace {
 
 TEST(ProofCounts, CountFirstNumbersAlone) {
@@ -34,4 +34,4 @@ TEST(ProofCounts, TakeWhatIsNoOutcomeForNotLookedAt) {
 }
 
 } // namespace
-} // namespace isomotion::render
+} // namespace isomotion::render::proof_counts_test

@@ -10,7 +10,7 @@
 #include "synthesis/proof_text.h"
 #include "synthesis/shader_files.h"
 
-namespace isomotion::render {
+namespace isomotion::render::proved_blocks_test {
 namespace {
 
 constexpr int block = synthesis::proved_block;
@@ -111,4 +111,4 @@ TEST(ProvedBlocks, CountEveryPixelOnce) {
 }
 
 } // namespace
-} // namespace isomotion::render
+} // namespace isomotion::render::proved_blocks_test

@@ -6,7 +6,7 @@
 #include "truth/cut_rays.h"
 #include "view.h"
 
-namespace isomotion::truth {
+namespace isomotion::truth::cut_rays_test {
 namespace {
 
 // All places on the surface of what sections leave of the unit ball, along the middle of a tube:
@@ -150,4 +150,4 @@ TEST(CutRays, OfHalfSpacesAndBallsAtRandom) {
 }
 
 } // namespace
-} // namespace isomotion::truth
+} // namespace isomotion::truth::cut_rays_test

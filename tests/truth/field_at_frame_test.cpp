@@ -3,7 +3,7 @@
 
 #include "view.h"
 
-namespace isomotion::truth {
+namespace isomotion::truth::field_at_frame_test {
 namespace {
 
 std::string scene_text(const std::string& formula, int count) {
@@ -79,4 +79,4 @@ TEST(EnclosedField, OfTenThousandElementsIsAsGood) {
 }
 
 } // namespace
-} // namespace isomotion::truth
+} // namespace isomotion::truth::field_at_frame_test

@@ -7,7 +7,7 @@
 
 #include "truth/nearest.h"
 
-namespace isomotion::truth {
+namespace isomotion::truth::nearest_test {
 namespace {
 
 // What a surface really has on a ray, and what is known of it.
@@ -159,4 +159,4 @@ TEST(Nearest, TouchesThatAreApartAreUndecided) {
 }
 
 } // namespace
-} // namespace isomotion::truth
+} // namespace isomotion::truth::nearest_test

@@ -8,7 +8,7 @@
 #include "unit/formula/stranger_formula.h"
 #include "view.h"
 
-namespace isomotion::truth {
+namespace isomotion::truth::random_formulas_test {
 namespace {
 
 constexpr int side = 10, samples = 4000;
@@ -134,4 +134,4 @@ TEST(RandomFormulas, HaveNoRootThatTruthDenies) { attack_all(12); }
 TEST(RandomFormulasExhaustive, HaveNoRootThatTruthDenies) { attack_all(3000); }
 
 } // namespace
-} // namespace isomotion::truth
+} // namespace isomotion::truth::random_formulas_test

@@ -4,7 +4,7 @@
 #include "formula/enclosure.h"
 #include "scenes.h"
 
-namespace isomotion::truth_arb {
+namespace isomotion::truth_arb::ball_program_test {
 namespace {
 
 using ball::Ball;
@@ -182,4 +182,4 @@ INSTANTIATE_TEST_SUITE_P(Balls, EverySurface, testing::ValuesIn(every_surface())
                          [](const auto& surface) { return surface.param; });
 
 } // namespace
-} // namespace isomotion::truth_arb
+} // namespace isomotion::truth_arb::ball_program_test

@@ -17,7 +17,7 @@
 #include "topology/field/jet.h"
 #include "unit/formula/testing.h"
 
-namespace isomotion::truth_arb {
+namespace isomotion::truth_arb::slopes_test {
 namespace {
 
 using ball::Ball;
@@ -270,4 +270,4 @@ TEST(Slopes, HoldQuotientsOfEveryPair) { attack(pairs(), 120); }
 TEST(SlopesExhaustive, HoldQuotientsOfEveryPair) { attack(pairs(), 6000); }
 
 } // namespace
-} // namespace isomotion::truth_arb
+} // namespace isomotion::truth_arb::slopes_test

@@ -9,15 +9,16 @@
 
 #include "scenes.h"
 #include "thin_ray.h"
+#include "thorough.h"
 #include "truth/certify.h"
 
-namespace isomotion::truth_arb {
+namespace isomotion::truth_arb::truth_arb_test {
 namespace {
 
 using truth::Answer;
 using truth::FirstRoot;
 
-constexpr int side = 24;
+const int side = is_thorough() ? 24 : 16;
 constexpr int pieces_a_ray = 3000;
 constexpr int causes_a_scene = 20; // about so many open answers are asked for their cause
 
@@ -226,4 +227,4 @@ INSTANTIATE_TEST_SUITE_P(Balls, CertifiedRays, testing::ValuesIn(every_scene()),
                          [](const auto& scene) { return scene.param; });
 
 } // namespace
-} // namespace isomotion::truth_arb
+} // namespace isomotion::truth_arb::truth_arb_test

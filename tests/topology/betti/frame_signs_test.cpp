@@ -6,7 +6,7 @@
 #include "topology/scenes.h"
 #include "topology/solids.h"
 
-namespace isomotion::topology {
+namespace isomotion::topology::frame_signs_test {
 namespace {
 
 struct Known {
@@ -120,4 +120,4 @@ cz = "random(i, 3) - 0.5"
 }
 
 } // namespace
-} // namespace isomotion::topology
+} // namespace isomotion::topology::frame_signs_test

@@ -8,7 +8,7 @@
 
 #include "topology/timelines.h"
 
-namespace isomotion::topology {
+namespace isomotion::topology::event_test {
 namespace {
 
 std::vector<Kind> every_kind() {
@@ -120,4 +120,4 @@ TEST(TimelineIsComplete, OnlyWhenNothingIsLeftOpen) {
 }
 
 } // namespace
-} // namespace isomotion::topology
+} // namespace isomotion::topology::event_test

@@ -10,7 +10,7 @@
 #include "topology/timelines.h"
 #include "unit/image/places.h"
 
-namespace isomotion::topology {
+namespace isomotion::topology::expectation_test {
 namespace {
 
 using testing::ElementsAre;
@@ -245,4 +245,4 @@ TEST(Expectation, TheVerdictIsInWords) {
 }
 
 } // namespace
-} // namespace isomotion::topology
+} // namespace isomotion::topology::expectation_test

@@ -9,7 +9,7 @@
 #include "topology/timeline/words.h"
 #include "topology/timelines.h"
 
-namespace isomotion::topology {
+namespace isomotion::topology::falsified_claims_test {
 namespace {
 
 using formula::Interval;
@@ -313,4 +313,4 @@ INSTANTIATE_TEST_SUITE_P(True, ClaimedOfTheIncomplete, testing::ValuesIn(incompl
                          [](const auto& timeline) { return timeline.param.name; });
 
 } // namespace
-} // namespace isomotion::topology
+} // namespace isomotion::topology::falsified_claims_test

@@ -9,7 +9,7 @@
 #include "topology/timeline/words.h"
 #include "topology/timelines.h"
 
-namespace isomotion::topology {
+namespace isomotion::topology::statement_test {
 namespace {
 
 using testing::HasSubstr;
@@ -350,4 +350,4 @@ TEST(Statement, KindsKnownOnlyTogetherAreNotPartedByFrames) {
 }
 
 } // namespace
-} // namespace isomotion::topology
+} // namespace isomotion::topology::statement_test

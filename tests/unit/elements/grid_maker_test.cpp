@@ -7,7 +7,7 @@
 
 #include "families.h"
 
-namespace isomotion::elements {
+namespace isomotion::elements::grid_maker_test {
 namespace {
 
 const Region ball{glm::dvec3(-1.1), glm::dvec3(1.1)};
@@ -232,4 +232,4 @@ TEST(GridMaker, ElementsOfEverySize) {
 }
 
 } // namespace
-} // namespace isomotion::elements
+} // namespace isomotion::elements::grid_maker_test

@@ -11,7 +11,7 @@
 #include "formula/graph/derivative.h"
 #include "formula/graph/operations.h"
 
-namespace isomotion::formula {
+namespace isomotion::formula::enclosure_test {
 namespace {
 
 using Box = std::array<Interval, 6>;
@@ -493,4 +493,4 @@ TEST(HessianProgram, IsOfNoOtherField) {
 }
 
 } // namespace
-} // namespace isomotion::formula
+} // namespace isomotion::formula::enclosure_test

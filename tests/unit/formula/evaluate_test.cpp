@@ -6,7 +6,7 @@
 #include "catalogue.h"
 #include "random_formula.h"
 
-namespace isomotion::formula {
+namespace isomotion::formula::evaluate_test {
 namespace {
 
 // The whole compiler against plain recursion over the same formula.
@@ -162,4 +162,4 @@ TEST(Evaluate, UnusedColumnsMayBeEmpty) {
 }
 
 } // namespace
-} // namespace isomotion::formula
+} // namespace isomotion::formula::evaluate_test

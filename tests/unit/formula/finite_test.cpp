@@ -7,7 +7,7 @@
 #include "formula/field.h"
 #include "formula/graph/operations.h"
 
-namespace isomotion::formula {
+namespace isomotion::formula::finite_test {
 namespace {
 
 template<class T> class Rules : public testing::Test {};
@@ -205,4 +205,4 @@ TEST(Finite, ConstantsBeyondFloat) {
 }
 
 } // namespace
-} // namespace isomotion::formula
+} // namespace isomotion::formula::finite_test

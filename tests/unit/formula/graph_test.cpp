@@ -4,7 +4,7 @@
 #include <limits>
 #include <set>
 
-namespace isomotion::formula {
+namespace isomotion::formula::graph_test {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -201,4 +201,4 @@ TEST(Graph, EveryOperationHasAName) {
 }
 
 } // namespace
-} // namespace isomotion::formula
+} // namespace isomotion::formula::graph_test

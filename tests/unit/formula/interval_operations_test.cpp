@@ -8,7 +8,7 @@
 #include "random_interval.h"
 #include "thorough.h"
 
-namespace isomotion::formula {
+namespace isomotion::formula::interval_operations_test {
 namespace {
 
 using Do = Operations<Interval>;
@@ -328,4 +328,4 @@ TEST(IntervalOperations, ChoicesUndecidedTakeBoth) {
 }
 
 } // namespace
-} // namespace isomotion::formula
+} // namespace isomotion::formula::interval_operations_test

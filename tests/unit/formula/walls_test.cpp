@@ -7,7 +7,7 @@
 #include "formula/graph/derivative.h"
 #include "testing.h"
 
-namespace isomotion::formula {
+namespace isomotion::formula::walls_test {
 namespace {
 
 constexpr double distance = 0x1p-15;
@@ -92,4 +92,4 @@ TEST(Walls, TheGradientFartherOff) {
 }
 
 } // namespace
-} // namespace isomotion::formula
+} // namespace isomotion::formula::walls_test

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace isomotion::image {
+namespace isomotion::image::compare_test {
 namespace {
 
 constexpr float nan = std::numeric_limits<float>::quiet_NaN();
@@ -70,4 +70,4 @@ TEST(Compare, ChannelsMustAgreeButNotTheirOrder) {
 }
 
 } // namespace
-} // namespace isomotion::image
+} // namespace isomotion::image::compare_test

@@ -13,7 +13,7 @@
 #include "image/encode.h"
 #include "places.h"
 
-namespace isomotion::image {
+namespace isomotion::image::environment_test {
 namespace {
 
 using testing::AllOf;
@@ -474,4 +474,4 @@ TEST(Studio, IsAMapWithBrightLights) {
 }
 
 } // namespace
-} // namespace isomotion::image
+} // namespace isomotion::image::environment_test

@@ -4,7 +4,7 @@
 
 #include <limits>
 
-namespace isomotion::kernels {
+namespace isomotion::kernels::special_values_test {
 namespace {
 
 using gpu::EveryBackend;
@@ -213,4 +213,4 @@ TEST_P(SpecialValuesTest, CompileForTheWeb) {
 }
 
 } // namespace
-} // namespace isomotion::kernels
+} // namespace isomotion::kernels::special_values_test

@@ -7,7 +7,7 @@
 #include "testing.h"
 #include "unit/formula/testing.h"
 
-namespace isomotion::scene {
+namespace isomotion::scene::framing_test {
 namespace {
 
 using formula::Random;
@@ -100,4 +100,4 @@ TEST_F(Framing, TheCameraFollowsMovingBounds) {
 }
 
 } // namespace
-} // namespace isomotion::scene
+} // namespace isomotion::scene::framing_test

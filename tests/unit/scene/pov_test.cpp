@@ -10,7 +10,7 @@
 #include "scene/reading/pov.h"
 #include "scene/scene_at.h"
 
-namespace isomotion::scene {
+namespace isomotion::scene::pov_test {
 namespace {
 
 using testing::HasSubstr;
@@ -211,4 +211,4 @@ TEST(Pov, HostileFilesEnd) {
 }
 
 } // namespace
-} // namespace isomotion::scene
+} // namespace isomotion::scene::pov_test

@@ -11,7 +11,7 @@
 #include "truth/drawn_ray.h"
 #include "unit/formula/exact.h"
 
-namespace isomotion::scene {
+namespace isomotion::scene::ray_rounding_test {
 namespace {
 
 using formula::Exact;
@@ -264,4 +264,4 @@ TEST_P(RayRoundingOfCameras, HoldsTheWorstThatGlslAllows) {
 INSTANTIATE_TEST_SUITE_P(Cameras, RayRoundingOfCameras, testing::Range(0, int(kinds.size())));
 
 } // namespace
-} // namespace isomotion::scene
+} // namespace isomotion::scene::ray_rounding_test

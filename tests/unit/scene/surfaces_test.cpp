@@ -7,7 +7,7 @@
 #include "scene/scene_at.h"
 #include "scene/surfaces.h"
 
-namespace isomotion::scene {
+namespace isomotion::scene::surfaces_test {
 namespace {
 
 using testing::ElementsAre;
@@ -233,4 +233,4 @@ TEST(Surfaces, AbsorptionOfAllIsPerUnitOfTheCoordinates) {
 }
 
 } // namespace
-} // namespace isomotion::scene
+} // namespace isomotion::scene::surfaces_test

@@ -14,7 +14,7 @@
 #include "scenes.h"
 #include "unit/gpu/every_backend.h"
 
-namespace isomotion::synthesis {
+namespace isomotion::synthesis::interval_on_gpu_test {
 namespace {
 
 using formula::Interval;
@@ -507,4 +507,4 @@ TEST_P(IntervalOnGpu, BoundsOfTheCatalogueHoldAndAreNarrow) {
 }
 
 } // namespace
-} // namespace isomotion::synthesis
+} // namespace isomotion::synthesis::interval_on_gpu_test

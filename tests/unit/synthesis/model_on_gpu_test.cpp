@@ -15,7 +15,7 @@
 #include "synthesis/shader_text.h"
 #include "unit/gpu/every_backend.h"
 
-namespace isomotion::synthesis {
+namespace isomotion::synthesis::model_on_gpu_test {
 namespace {
 
 class Random {
@@ -322,4 +322,4 @@ TEST(ModelledDegree, IsOfPolynomialsAlone) {
 }
 
 } // namespace
-} // namespace isomotion::synthesis
+} // namespace isomotion::synthesis::model_on_gpu_test

@@ -9,7 +9,7 @@
 #include "unit/formula/testing.h"
 #include "unit/image/places.h"
 
-namespace isomotion::player {
+namespace isomotion::player::memory_test {
 namespace {
 namespace fs = std::filesystem;
 
@@ -265,4 +265,4 @@ TEST(WindowPlaces, AreWithinAScreen) {
 }
 
 } // namespace
-} // namespace isomotion::player
+} // namespace isomotion::player::memory_test
