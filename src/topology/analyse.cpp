@@ -126,15 +126,17 @@ Timeline proved(Timeline timeline, const Motions& motions, const AnalyseOptions&
                 Interval range, const SerialCallbacks& callbacks) {
     const MovingScene frames(motions);
     const FrameLimits limits{.stopped = [&] { return callbacks.stopped(); }};
-    bool are_by_cells = false;
+    struct {
+        bool start = false, end = false;
+    } is_by_cells;
     const auto prove_end = [&](double time, const char* not_known, std::optional<Betti>& betti,
-                               bool& is_proved) {
+                               bool& is_proved, bool& by_cells) {
         std::string why;
         if (callbacks.stopped()) return why;
         const CertifiedFrame frame = frames.certify(time, limits);
         betti = frame.betti;
         is_proved = betti.has_value();
-        are_by_cells |= frame.is_by_cells;
+        by_cells = frame.is_by_cells;
         if (!is_proved)
             why = fmt::format("{}: {}, near {}", not_known, frame.why, place_text(frame.where));
         return why;
@@ -143,10 +145,11 @@ Timeline proved(Timeline timeline, const Motions& motions, const AnalyseOptions&
     const auto prove_ends = [&] {
         return [&](std::size_t k) {
             if (k == 0) {
-                no_start =
-                    prove_end(range.lo, start_not_known, timeline.start, timeline.start_is_proved);
+                no_start = prove_end(range.lo, start_not_known, timeline.start,
+                                     timeline.start_is_proved, is_by_cells.start);
             } else {
-                no_end = prove_end(range.hi, end_not_known, timeline.end, timeline.end_is_proved);
+                no_end = prove_end(range.hi, end_not_known, timeline.end, timeline.end_is_proved,
+                                   is_by_cells.end);
             }
         };
     };
@@ -163,7 +166,8 @@ Timeline proved(Timeline timeline, const Motions& motions, const AnalyseOptions&
     proofs.stopped = seeking.stopped;
     // Where boxes and paths tell nothing, as at kinks, frames between events do.
     constexpr int events_by_boxes_a_frame_by_cells = 64;
-    if (are_by_cells) proofs.events_a_frame = events_by_boxes_a_frame_by_cells;
+    if (is_by_cells.start || is_by_cells.end)
+        proofs.events_a_frame = events_by_boxes_a_frame_by_cells;
     const auto open = std::ranges::count(timeline.events, Kind::unknown, &Event::kind);
     proofs.most_frames = std::max(proofs.most_frames, 2 * int(open));
     const bool is_late = callbacks.stopped();
