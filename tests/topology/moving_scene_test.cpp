@@ -118,7 +118,7 @@ TEST(MovingScene, WhileAParameterHasNoValueNothingIsProved) {
             "[surface]\nformula = \"x^2 + y^2 + z^2 - c + 0*d\"\nbounds = {{ sphere = \"R\" }}\n"
             "[parameters]\nR = \"{}\"\nc = \"{}\"\nd = \"{}\"\n",
             bound, c, more));
-        EXPECT_FALSE(find_events(scene, Side::negative, {0, 0.2}).is_proved);
+        EXPECT_FALSE(find_events(scene, Side::negative, {0, 0.2}, {.smallest = 1e-4}).is_proved);
     }
 }
 

@@ -264,7 +264,7 @@ TEST(Slopes, HoldQuotientsOfEveryOperation) {
     attack(formulas, 300);
 }
 
-TEST(Slopes, HoldQuotientsOfEveryPair) { attack(pairs(), 120); }
+TEST(Slopes, HoldQuotientsOfEveryPair) { attack(pairs(), 60); }
 
 // Ten million draws.
 TEST(SlopesExhaustive, HoldQuotientsOfEveryPair) { attack(pairs(), 6000); }

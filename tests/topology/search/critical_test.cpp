@@ -316,7 +316,7 @@ TEST(Events, AtStepsBeforeTheMotionRestsAreInDoubt) {
 
 TEST(Events, WhereTheBoundsTurnInsideOutAreUnresolved) {
     const auto unresolved = [](const Moving& moving) {
-        const Timeline timeline = events_of(moving, 0, 1);
+        const Timeline timeline = events_of(moving, 0, 1, Side::negative, {.smallest = 1e-3});
         EXPECT_EQ(timeline.is_proved, timeline.unresolved.empty()) << described(timeline);
         return timeline.unresolved;
     };
@@ -407,7 +407,7 @@ TEST(Events, OfABallThatRunsAgainstASphereAreOnTheSphere) {
 // A sphere that is the surface, at one moment: all of it is singular.
 TEST(Events, OfASphereThatTheSurfaceCoversAreUnresolved) {
     const Moving ball{"x^2 + y^2 + z^2 - r^2", "{ sphere = 2 }", "r = \"1 + t\""};
-    const Timeline timeline = events_of(ball, 0.5, 1.5);
+    const Timeline timeline = events_of(ball, 0.5, 1.5, Side::negative, {.smallest = 1e-3});
     EXPECT_FALSE(timeline.is_proved);
     ASSERT_FALSE(timeline.unresolved.empty());
     for (const Unresolved& place : timeline.unresolved) EXPECT_TRUE(contains(place.time, 1.0));

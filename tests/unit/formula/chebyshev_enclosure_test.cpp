@@ -6,6 +6,7 @@
 
 #include "formula/graph/lowering.h"
 #include "random_interval.h"
+#include "thorough.h"
 
 namespace isomotion::formula {
 namespace {
@@ -38,7 +39,7 @@ TEST(ChebyshevEnclosure, EnclosesDerivatives) {
     for (const int n : {1, 2, 3, 4, 5, 6, 7, 8, 14, 25, 31, 50, 64, 101, 200}) {
         for (int k = 0; k <= 3; ++k) {
             const ChebyshevEnclosure enclose(n, k);
-            for (int trial = 0; trial < 20'000 / (n + 40); ++trial) {
+            for (int trial = 0; trial < trials(7'000, 20'000) / (n + 40); ++trial) {
                 const Interval a = trial % 2 == 0 ? intervals.interval() : near_unit(random, n);
                 const Interval result = enclose(a);
                 for (int member = 0; member < 4; ++member) {
