@@ -228,6 +228,10 @@ private:
 
     void release() {
         const render::Picture& picture = *picture_drawn_;
+        if (waiting_.back().frame == progress_.frame) { // only writing is left
+            progress_.part = 1;
+            if (watcher_.progress) watcher_.progress(progress_);
+        }
         for (std::size_t v = 0; v < totals_.verdicts.size(); ++v) {
             totals_.verdicts[v] += picture.verdicts[v];
         }

@@ -44,7 +44,7 @@ struct ExportProgress {
     int done = 0; // frames before this one
     int frame = 0;
     std::filesystem::path file;
-    double part = 0; // of the frame being drawn
+    double part = 0; // of the frame that is drawn; 1 while the last one is written
 };
 
 // Each may be empty. The exporting thread calls them.

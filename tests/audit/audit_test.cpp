@@ -232,10 +232,14 @@ TEST_P(Audits, ExportsWarnAndRecord) {
         std::vector<std::string> warnings;
         sequence::ExportWatcher watcher;
         watcher.warn = [&](const std::string& text) { warnings.push_back(text); };
+        sequence::ExportProgress last;
+        watcher.progress = [&](const sequence::ExportProgress& now) { last = now; };
         sequence::Exporter exporter(scene, options);
         const sequence::ExportTotals totals = exporter.export_frames(*context, watcher);
         // The scene stands still: it is drawn and audited once.
         EXPECT_EQ(totals.drawn, 1);
+        EXPECT_EQ(last.done, 2);
+        EXPECT_EQ(last.part, 1) << "a signal leaves a frame whole that is being written";
         EXPECT_EQ(totals.audit.rays + totals.audit.undecided, 400);
         EXPECT_EQ(totals.audit.wrong > 0, is_wrong);
         EXPECT_EQ(warnings.empty(), !is_wrong);
