@@ -137,6 +137,8 @@ public:
                 add(options_.frames[k]);
             }
             finish();
+            progress_.part = 1; // only writing is left
+            if (watcher_.progress) watcher_.progress(progress_);
         } catch (const render::Stopped&) { // frames that are not whole are not written
         }
         writer_.finish();
@@ -228,10 +230,6 @@ private:
 
     void release() {
         const render::Picture& picture = *picture_drawn_;
-        if (waiting_.back().frame == progress_.frame) { // only writing is left
-            progress_.part = 1;
-            if (watcher_.progress) watcher_.progress(progress_);
-        }
         for (std::size_t v = 0; v < totals_.verdicts.size(); ++v) {
             totals_.verdicts[v] += picture.verdicts[v];
         }
