@@ -15,6 +15,7 @@ constexpr double negligible = 0x1p-20;
 // How much terms that Taylor's formula encloses may blur a sum in a box, as a part of what
 // intervals of all its terms blur it.
 constexpr double blur = 0.03;
+const SpaceBox unknown_gradient{Interval::entire(), Interval::entire(), Interval::entire()};
 // With fewer elements there is nothing to gain.
 constexpr int few_elements = 8;
 
@@ -47,30 +48,29 @@ void FrameField::load(std::span<const SpaceBox> boxes) {
     for (const SpaceBox& box : boxes) boxes_.push_back(in_space(box));
 }
 
-void FrameField::turn(std::span<const SpaceBox> boxes, Jets& jets, bool has_second) const {
+void FrameField::turn(const SpaceBox& box, Jet<Interval>& jet, bool has_second) const {
     if (!ball_) return;
-    for (std::size_t b = 0; b < boxes.size(); ++b) {
-        Jet<Interval>& jet = jets[b];
-        const BallAsCube::Slopes slopes = ball_->slopes(boxes[b]);
-        SpaceBox gradient;
-        SpaceHessian hessian;
-        for (std::size_t i = 0; i < 3; ++i) {
-            gradient[i] = jet.gradient[i];
-            for (std::size_t j = 0; j < 3; ++j) hessian[i][j] = jet.hessian[i][j];
-        }
-        std::ranges::copy(slopes.gradient(gradient), jet.gradient.begin());
-        if (!has_second) continue;
-        hessian = slopes.hessian(gradient, hessian);
-        for (std::size_t i = 0; i < 3; ++i) std::ranges::copy(hessian[i], jet.hessian[i].begin());
-    }
+    const BallAsCube::Slopes slopes = ball_->slopes(box);
+    SpaceBox gradient;
+    std::copy_n(jet.gradient.begin(), 3, gradient.begin());
+    std::ranges::copy(slopes.gradient(gradient), jet.gradient.begin());
+    if (!has_second) return;
+    SpaceHessian hessian;
+    for (std::size_t i = 0; i < 3; ++i) std::copy_n(jet.hessian[i].begin(), 3, hessian[i].begin());
+    hessian = slopes.hessian(gradient, hessian);
+    for (std::size_t i = 0; i < 3; ++i) std::ranges::copy(hessian[i], jet.hessian[i].begin());
 }
 
 void FrameField::over(const Elements& near, std::span<const SpaceBox> boxes,
                       std::span<ValueAndGradient> out) {
     load(boxes);
     evaluator_.gradients(near, boxes_, jets_);
-    turn(boxes, jets_, false);
     for (std::size_t b = 0; b < boxes.size(); ++b) {
+        if (ball_ && !contains(jets_[b].value, 0.0)) {
+            out[b] = {of_solid(jets_[b].value), unknown_gradient};
+            continue;
+        }
+        turn(boxes[b], jets_[b], false);
         out[b].value = of_solid(jets_[b].value);
         for (std::size_t i = 0; i < 3; ++i) out[b].gradient[i] = of_solid(jets_[b].gradient[i]);
     }
@@ -87,14 +87,14 @@ void FrameField::tighten(const Elements& near, std::span<const SpaceBox> boxes,
                          std::span<ValueAndGradient> out) {
     load(boxes);
     evaluator_.jets(near, boxes_, jets_);
-    turn(boxes, jets_, true);
     middles_.clear();
     for (const SpaceBox& box : boxes) middles_.push_back(point_box(middle(box)));
     load(middles_);
     evaluator_.gradients(near, boxes_, at_middles_);
-    turn(middles_, at_middles_, false);
     for (std::size_t b = 0; b < boxes.size(); ++b) {
-        const auto &at_middle = at_middles_[b], &over = jets_[b];
+        auto &at_middle = at_middles_[b], &over = jets_[b];
+        turn(boxes[b], over, true);
+        turn(middles_[b], at_middle, false);
         std::array<Interval, 3> step;
         for (std::size_t i = 0; i < 3; ++i) step[i] = boxes[b][i] - middles_[b][i];
         Interval value = at_middle.value;
@@ -116,7 +116,7 @@ void FrameField::tighten(const Elements& near, std::span<const SpaceBox> boxes,
 SpaceHessian FrameField::hessian(const Elements& near, const SpaceBox& box) {
     load({&box, 1});
     evaluator_.jets(near, boxes_, jets_);
-    turn({&box, 1}, jets_, true);
+    turn(box, jets_[0], true);
     SpaceHessian hessian;
     for (std::size_t i = 0; i < 3; ++i) {
         for (std::size_t j = 0; j < 3; ++j) hessian[i][j] = of_solid(jets_[0].hessian[i][j]);

@@ -34,7 +34,8 @@ public:
 
     const Elements& everything() const { return evaluator_.all(); }
 
-    // Evaluates over boxes inside the box of `near`.
+    // Evaluates over boxes inside the box of `near`. In a ball nothing is told of gradients where
+    // G has one sign: these cost as much as all else.
     void over(const Elements& near, std::span<const SpaceBox> boxes,
               std::span<ValueAndGradient> out);
     // Narrows the results by Taylor's formula about the middle, to second order, which is tighter
@@ -59,8 +60,8 @@ private:
 
     Box in_space(const SpaceBox& box) const;
     void load(std::span<const SpaceBox> boxes);
-    // From derivatives by places in space to those by the coordinates of the boxes.
-    void turn(std::span<const SpaceBox> boxes, Jets& jets, bool has_second) const;
+    // From derivatives by places in space to those by the box's coordinates.
+    void turn(const SpaceBox& box, Jet<formula::Interval>& jet, bool has_second) const;
     formula::Interval of_solid(formula::Interval f) const {
         return solid_ == Side::negative ? f : -f;
     }

@@ -103,6 +103,26 @@ TEST(BallAsCube, EnclosesThePlacesOfABox) {
     }
 }
 
+// To more digits than doubles have.
+TEST(BallAsCube, EnclosesPlacesOfPoints) {
+    Chance chance(5);
+    const BallAsCube ball{scene::BoundsAt{}};
+    for (int trial = 0; trial < 5000; ++trial) {
+        const SpacePoint y = chance.in_cube();
+        const SpaceBox at = ball.place(point_box(y));
+        long double rest = 1, squared = 0;
+        for (const long double k : y) {
+            rest *= 1 - k * k;
+            squared += k * k;
+        }
+        for (std::size_t k = 0; k < 3; ++k) {
+            const long double place = y[k] / std::sqrt(squared + rest);
+            EXPECT_TRUE(at[k].lo <= place && place <= at[k].hi);
+            EXPECT_LT(width(at[k]), 1e-14);
+        }
+    }
+}
+
 // A function of places, with its slopes.
 double wave(const SpacePoint& p) { return std::sin(1.1 * p[0] + 0.4 * p[1]) + p[1] * p[2] * p[2]; }
 SpaceBox gradient_at(const SpacePoint& p) {
