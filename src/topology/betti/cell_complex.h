@@ -9,7 +9,6 @@
 #pragma once
 
 #include <array>
-#include <compare>
 #include <cstdint>
 #include <functional>
 #include <optional>
@@ -98,7 +97,10 @@ private:
     // A key that identifies a cell.
     struct Packed {
         std::uint64_t first, second;
-        auto operator<=>(const Packed&) const = default;
+        bool operator==(const Packed&) const = default;
+        bool operator<(const Packed& other) const {
+            return first < other.first || (first == other.first && second < other.second);
+        }
     };
     static Packed packed(const CellKey& key);
 
