@@ -152,6 +152,28 @@ void CellComplex::smallest(const CellKey& key, Cells& found) {
     for (const CellKey& part : key.parts()) smallest(part, found);
 }
 
+void CellComplex::tell_facets(const CellKey& key) {
+    const CellFact told = cell(key).fact;
+    if (!told.holds_of_closed_cell && told.sinks_along == decltype(told.sinks_along){}) return;
+    Cells parts;
+    for (const CellKey& facet : key.facets()) smallest(facet, parts);
+    for (const CellKey& part : parts) {
+        CellFact& fact = cell(part).fact;
+        if (fact.kind == CellFact::Kind::outside || fact.kind == CellFact::Kind::inside) continue;
+        if (told.holds_of_closed_cell) {
+            fact = told;
+            continue;
+        }
+        for (std::size_t k = 0; k < 3; ++k) {
+            if (!part.is_along(k) || told.sinks_along[k] == 0) continue;
+            fact.sinks_along[k] = told.sinks_along[k];
+            if (fact.kind != CellFact::Kind::unknown) continue;
+            fact.kind = CellFact::Kind::sinking;
+            fact.sinks_to[k] = told.sinks_along[k];
+        }
+    }
+}
+
 bool CellComplex::list(const Limits& limits) {
     for (int dimension = 3; dimension >= 0; --dimension) {
         const auto d = std::size_t(dimension);
@@ -163,10 +185,10 @@ bool CellComplex::list(const Limits& limits) {
             Cell& now = cell(key);
             if (now.is_listed) continue;
             now.is_listed = true;
-            if (!now.is_divided && now.fact.kind == CellFact::Kind::unknown) {
+            if (!now.is_divided) {
                 failed_ = key;
-                if (++asked_ > limits.cells || (limits.stopped && limits.stopped())) return false;
-                now.fact = ask_(key);
+                if (++known_ > limits.cells || (limits.stopped && limits.stopped())) return false;
+                if (now.fact.kind == CellFact::Kind::unknown) now.fact = ask_(key);
                 depth_ = std::max(depth_, key.level);
                 if (now.fact.kind == CellFact::Kind::unknown) {
                     if (dimension == 0 || key.level >= limits.depth_of(dimension)) return false;
@@ -187,6 +209,7 @@ bool CellComplex::list(const Limits& limits) {
                 open_[d - 1].push_back(facet);
             }
         }
+        for (const CellKey& key : fresh) tell_facets(key);
     }
     return true;
 }
@@ -309,6 +332,7 @@ bool CellComplex::settle_listed(const Limits& limits) {
 
 std::optional<Betti> CellComplex::betti(const Limits& limits) {
     cells_.list_none();
+    known_ = 0;
     for (auto* cells : {&open_, &listed_, &unsettled_}) *cells = {};
     open_[3] = {CellKey{}};
     do {

@@ -9,7 +9,6 @@
 #pragma once
 
 #include <array>
-#include <compare>
 #include <cstdint>
 #include <functional>
 #include <optional>
@@ -53,18 +52,24 @@ struct CellFact {
     Kind kind = Kind::unknown;
     // For each axis the facet that S retracts to: -1 low, 1 high, 0 neither.
     std::array<signed char, 3> sinks_to{};
+    // Whether the closed cell is outside or inside, so that each cell in it is, too.
+    bool holds_of_closed_cell = false;
+    // For each axis the facet that S retracts to along this axis alone, or 0, if it does so in each
+    // cell along this axis in the closed cell.
+    std::array<signed char, 3> sinks_along{};
 };
 
 class CellComplex {
 public:
-    // The relation of a cell to S; an unknown one is divided. Called once for each cell.
+    // The relation of a cell to S; an unknown one is divided. Called once for each cell at most:
+    // not where a cell beside tells.
     using Ask = std::function<CellFact(const CellKey&)>;
     explicit CellComplex(Ask ask)
         : ask_(std::move(ask)) {}
 
-    // The number of cells that may be asked for, and how often the sides of boxes and of faces may
-    // be halved. Edges may be shorter: where two surfaces cross, an edge that passes the crossing
-    // must be about as short as its distance.
+    // The number of cells whose relation to S is told or asked for, and how often the sides of
+    // boxes and of faces may be halved. Edges may be shorter: where two surfaces cross, an edge
+    // that passes the crossing must be about as short as its distance.
     struct Limits {
         std::size_t cells = 400'000;
         int depth = 17;
@@ -77,7 +82,7 @@ public:
     std::optional<Betti> betti(const Limits& limits);
 
     const CellKey& failed() const { return failed_; }
-    std::size_t asked() const { return asked_; }
+    std::size_t known() const { return known_; } // of the last count
     int depth() const { return depth_; }
 
 private:
@@ -92,11 +97,14 @@ private:
     // A key that identifies a cell.
     struct Packed {
         std::uint64_t first, second;
-        auto operator<=>(const Packed&) const = default;
+        bool operator==(const Packed&) const = default;
+        bool operator<(const Packed& other) const {
+            return first < other.first || (first == other.first && second < other.second);
+        }
     };
     static Packed packed(const CellKey& key);
 
-    // The cells asked for, in one contiguous table, since looking them up dominates the time.
+    // The cells, in one contiguous table, since looking them up dominates the time.
     class Table {
     public:
         Table();
@@ -125,6 +133,8 @@ private:
     // Lists what the cells are made of that were divided since the last call, and facets of these.
     bool list(const Limits& limits);
     void add(const CellKey& key);
+    // What a cell tells of its facets.
+    void tell_facets(const CellKey& key);
     // The undivided cells that make up a cell; the cell itself if it is undivided.
     void smallest(const CellKey& key, Cells& found);
     bool settle(const CellKey& key); // whether S meets it in something contractible
@@ -138,7 +148,7 @@ private:
     // By dimension. Of those listed, some may be divided since; some are not settled yet.
     std::array<Cells, 4> open_, listed_, unsettled_;
     CellKey failed_;
-    std::size_t asked_ = 0;
+    std::size_t known_ = 0;
     int depth_ = 0;
 };
 

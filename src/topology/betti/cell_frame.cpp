@@ -164,17 +164,19 @@ Pieces::Over SolidInCells::over(const CellKey& key, const SpaceBox& box) {
 
 CellFact SolidInCells::fact(const CellKey& key) {
     const SpaceBox box = places_.box(key);
-    if (places_.is_outside(box)) return {Kind::outside, {}};
+    const CellFact outside{.kind = Kind::outside, .holds_of_closed_cell = true};
+    const CellFact inside{.kind = Kind::inside, .holds_of_closed_cell = true};
+    if (places_.is_outside(box)) return outside;
     const bool is_inside = places_.is_inside(box);
     if (key.axes == 0) {
         const Interval value = pieces_.value(box);
-        if (value.lo >= 0) return {Kind::outside, {}};
-        return {value.hi < 0 && is_inside ? Kind::inside : Kind::unknown, {}};
+        if (value.lo >= 0) return outside;
+        return value.hi < 0 && is_inside ? inside : CellFact{};
     }
     Pieces::Over over = this->over(key, box);
-    if (over.sign == Sign::positive) return {Kind::outside, {}};
+    if (over.sign == Sign::positive) return outside;
     if (over.sign == Sign::negative) {
-        if (is_inside) return {Kind::inside, {}};
+        if (is_inside) return inside;
         over.gradients.clear();
     } else if (over.gradients.empty()) {
         return {};
@@ -183,9 +185,16 @@ CellFact SolidInCells::fact(const CellKey& key) {
         may_reach_sphere_ = true;
         over.gradients.push_back(alike(places_.outwards(box), over.gradients));
     }
+    CellFact fact;
+    for (std::size_t k = 0; k < 3; ++k) {
+        const auto rises = [&](const Box& g) { return g[k].lo > 0; };
+        const auto falls = [&](const Box& g) { return g[k].hi < 0; };
+        if (std::ranges::all_of(over.gradients, rises)) fact.sinks_along[k] = -1;
+        if (std::ranges::all_of(over.gradients, falls)) fact.sinks_along[k] = 1;
+    }
     const auto direction = rising_direction(over.gradients, axes_of(key));
-    if (!direction) return {};
-    CellFact fact{Kind::sinking, {}};
+    if (!direction) return fact;
+    fact.kind = Kind::sinking;
     for (std::size_t k = 0; k < 3; ++k)
         fact.sinks_to[k] = (*direction)[k] > 0 ? -1 : (*direction)[k] < 0 ? 1 : 0;
     return fact;
@@ -204,16 +213,16 @@ CertifiedFrame certify_by_cells(const SpaceFormula& formula, const scene::Bounds
     std::size_t most = solid.has_kinks() ? most_cells_without_other_proof : most_cells;
     CertifiedFrame frame;
     frame.betti = count(most);
-    if (!frame.betti && complex.asked() > most && !has_other_proof()) {
+    if (!frame.betti && complex.known() > most && !has_other_proof()) {
         most = most_cells_without_other_proof;
         frame.betti = count(most);
     }
     frame.depth = complex.depth();
-    frame.boxes = int(complex.asked());
+    frame.boxes = int(complex.known());
     frame.is_by_cells = true;
     if (frame.betti) return frame;
     frame.why = limits.stopped && limits.stopped() ? "interrupted"
-                : complex.asked() > most           ? too_many_boxes
+                : complex.known() > most           ? too_many_boxes
                                                    : not_settled;
     frame.where = solid.box(complex.failed());
     return frame;

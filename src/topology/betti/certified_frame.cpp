@@ -100,7 +100,7 @@ private:
         return sum;
     }
 
-    const scene::BoundsAt& bounds_;
+    const scene::BoundsAt bounds_;
 };
 
 SpaceBox with_rim(const SpaceBox& box) {
@@ -183,7 +183,7 @@ private:
     FrameField& field_;
     FrameField& one_;
     const Elements all_of_one_;
-    const Places& places_;
+    const Places places_;
     FrameLimits limits_;
     int boxes_ = 0;
     int depth_ = 0;
@@ -400,21 +400,58 @@ std::size_t Octree::draw(std::span<const Crossed> leaves, SignGrid& grid) {
     return columns.size();
 }
 
+// Whether the solid is known to hold some point of a sphere: one of a few on it.
+bool reaches(const SpaceFormula& formula, const BallAsCube& ball) {
+    constexpr int halvings = 3;
+    const Places places(BallAsCube::cube());
+    std::vector<SpaceBox> points;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        for (const double wall : {-1.0, 1.0}) {
+            for (int i = 0; i <= 1 << halvings; ++i) {
+                for (int j = 0; j <= 1 << halvings; ++j) {
+                    SpaceBox& point = points.emplace_back();
+                    point[axis] = wall;
+                    point[(axis + 1) % 3] = places.vertex((axis + 1) % 3, i, halvings);
+                    point[(axis + 2) % 3] = places.vertex((axis + 2) % 3, j, halvings);
+                }
+            }
+        }
+    }
+    FrameField field(formula, ball);
+    std::vector<Interval> values(points.size());
+    field.values(field.everything(), points, values);
+    return std::ranges::any_of(values, [](const Interval& value) { return value.hi < 0; });
+}
+
 } // namespace
 
 CertifiedFrame certify_frame(const SpaceFormula& formula, const scene::BoundsAt& bounds,
                              const FrameLimits& limits) {
     if (CertifiedFrame frame = certify_separable(formula, bounds); frame.betti) return frame;
-    FrameField one({formula.graph, formula.root, one_of(formula.bindings), formula.solid});
-    FrameField all(formula);
-    const Places places(bounds);
+    const SpaceFormula of_one{formula.graph, formula.root, one_of(formula.bindings), formula.solid};
     FrameLimits within = limits;
     within.depth = std::min(limits.depth, Planes::deepest);
-    CertifiedFrame frame = Octree(all, one, places, within).certify();
+    const auto in_box = [&](const scene::BoundsAt& box, std::optional<BallAsCube> ball) {
+        FrameField one(of_one, ball), all(formula, ball);
+        return Octree(all, one, Places(box), within).certify();
+    };
+    const auto in_ball = [&] {
+        const BallAsCube ball(bounds);
+        CertifiedFrame frame = in_box(BallAsCube::cube(), ball);
+        if (!frame.betti) frame.where = ball.place(frame.where);
+        return frame;
+    };
+    const bool is_ball = bounds.shape == scene::Bounds::Shape::sphere;
+    bool reaches_sphere = is_ball && reaches(of_one, BallAsCube(bounds));
+    CertifiedFrame frame = reaches_sphere ? in_ball() : in_box(bounds, std::nullopt);
+    if (is_ball && frame.why == reaches_bounds) {
+        reaches_sphere = true;
+        frame = in_ball();
+    }
     if (frame.betti || frame.why == interrupted) return frame;
     const CertifiedFrame by_cells = certify_by_cells(formula, bounds, limits);
-    // The other proof only takes a solid that does not reach the bounds.
-    return by_cells.betti || frame.why == reaches_bounds ? by_cells : frame;
+    // What stops the first proof at a sphere may be the cube's edges.
+    return by_cells.betti || reaches_sphere ? by_cells : frame;
 }
 
 } // namespace isomotion::topology

@@ -7,7 +7,8 @@
 // of the grid's signs. The proof is in docs/topology-frames.md.
 //
 // The solid is the part of {G < 0} within the bounds, with G as in frame_field.h. A surface may
-// reach the bounds; if it reaches a sphere, cells prove it (cell_frame.h).
+// reach the bounds; if it reaches a sphere, the ball is taken for a cube (ball_as_cube.h). What
+// this doesn't prove, cells may (cell_frame.h).
 #pragma once
 
 #include <functional>

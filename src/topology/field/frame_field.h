@@ -4,11 +4,16 @@
 // G is F if the solid is {F < 0}, otherwise -F. Slopes are generalized (formula/enclosure.h): a
 // gradient encloses all difference quotients between points of the box, also across kinks. In a
 // small box most elements of a sum are far away and hardly change; these are left out.
+//
+// Boxes are of space, or of the cube that a ball of bounds is the image of (ball_as_cube.h). Then
+// all derivatives are by the cube's coordinates.
 #pragma once
 
+#include <optional>
 #include <span>
 #include <vector>
 
+#include "topology/field/ball_as_cube.h"
 #include "topology/field/box_field.h"
 #include "topology/field/space_box.h"
 #include "topology/field/space_formula.h"
@@ -18,7 +23,7 @@ namespace isomotion::topology {
 // Use one per thread.
 class FrameField {
 public:
-    explicit FrameField(const SpaceFormula& formula);
+    explicit FrameField(const SpaceFormula& formula, std::optional<BallAsCube> ball = {});
     FrameField(const FrameField&) = delete; // since the evaluator refers to the programs
     FrameField& operator=(const FrameField&) = delete;
 
@@ -29,7 +34,8 @@ public:
 
     const Elements& everything() const { return evaluator_.all(); }
 
-    // Evaluates over boxes inside the box of `near`.
+    // Evaluates over boxes inside the box of `near`. In a ball nothing is told of gradients where
+    // G has one sign: these cost as much as all else.
     void over(const Elements& near, std::span<const SpaceBox> boxes,
               std::span<ValueAndGradient> out);
     // Narrows the results by Taylor's formula about the middle, to second order, which is tighter
@@ -50,16 +56,23 @@ public:
     Elements expanded(const Elements& near, const SpaceBox& box);
 
 private:
+    using Jets = std::vector<Jet<formula::Interval>>;
+
+    Box in_space(const SpaceBox& box) const;
     void load(std::span<const SpaceBox> boxes);
+    // From derivatives by places in space to those by the box's coordinates.
+    void turn(const SpaceBox& box, Jet<formula::Interval>& jet, bool has_second) const;
     formula::Interval of_solid(formula::Interval f) const {
         return solid_ == Side::negative ? f : -f;
     }
 
     Side solid_;
+    std::optional<BallAsCube> ball_;
     BoxField field_;
     BoxEvaluator evaluator_;
     std::vector<Box> boxes_;
-    std::vector<Jet<formula::Interval>> jets_, at_middles_;
+    std::vector<SpaceBox> middles_;
+    Jets jets_, at_middles_;
     std::vector<formula::Interval> values_;
 };
 

@@ -73,6 +73,25 @@ TEST(CellComplex, IsRegularWhereSizesMeet) {
     EXPECT_EQ(complex.depth(), 6);
 }
 
+// What holds of closed cells is told to their faces, edges and corners, smaller ones too.
+TEST(CellComplex, AsksForNothingThatACellBesideTells) {
+    int asked = 0, lower = 0;
+    CellComplex complex([&](const CellKey& key) {
+        ++asked;
+        lower += key.axes != 7;
+        CellFact fact;
+        const bool is_corner = std::ranges::all_of(key.at, [](int at) { return at == 0; });
+        if (key.axes == 7 && is_corner && key.level < 3) return fact;
+        fact.kind = CellFact::Kind::inside;
+        fact.holds_of_closed_cell = !is_corner;
+        return fact;
+    });
+    // No other box has the corner itself, nor the edges and faces that only the last box has.
+    EXPECT_EQ(complex.betti({}), (Betti{1, 0, 0}));
+    EXPECT_EQ(asked - lower, 1 + 3 * 8);
+    EXPECT_EQ(lower, 7);
+}
+
 // S is a prism along x over squares of the plane across: boxes sink to a facet, whatever they have
 // there, and so do faces along x to an edge. Squares are settled once they are so small.
 template<class Predicate> std::optional<Betti> betti_of_prism(int level, Predicate&& is_in) {
