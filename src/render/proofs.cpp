@@ -1,7 +1,6 @@
 #include "render/proofs.h"
 
 #include <algorithm>
-#include <array>
 #include <stdexcept>
 
 #include <fmt/format.h>
@@ -141,15 +140,6 @@ void Proofs::upload(PassTable& table, const ProofRays& rays) {
     }
 }
 
-void Proofs::draw_and_keep(PassTable& table, const gpu::Program& program,
-                           const gpu::Rectangle& tile) {
-    // A texture can't be read and written at once.
-    table.bind("proof_texture", kept_.texture(0));
-    mask_.apply(going_on_, [&] { table.draw(program, tile, open_); });
-    table.bind("proof_texture", going_on_.texture(0));
-    mask_.apply(kept_, [&] { table.draw(table.program(Role::proof_copy), tile, open_); });
-}
-
 void Proofs::prove_blocks(PassTable& table, const gpu::Rectangle& tile) {
     const auto draw_blocks = [&](Role role, int block) {
         table.draw(table.program(role), {tile.x, tile.y, blocks_across(tile.width, block),
@@ -190,10 +180,10 @@ void Proofs::begin(PassTable& table, const ProvedBlocks& blocks, const gpu::Rect
     const gpu::Program& program = table.program(Role::proof);
     program.set("pieces_per_pass", pieces_after_beginning(natural_.cost, blocks.left.pixels));
     program.set("start", int(Start::begin));
+    PackedRays::unpack(program);
     // Software renderers run the shader twice for pixels where two triangles meet, as those of each
     // square do.
-    open_.set(std::array{gpu::Rectangle{0, 0, tile.width, tile.height}});
-    mask_.apply(kept_, [&] { table.draw(program, tile, open_); });
+    mask_.apply(kept_, [&] { table.draw(program, tile); });
 }
 
 void Proofs::read(const Areas& areas, const gpu::Rectangle& tile) {
@@ -232,35 +222,24 @@ void Proofs::read_kept(const Areas& areas) {
     }
 }
 
-std::uint32_t Proofs::take_finished_off(PassTable& table, const gpu::Rectangle& tile) {
-    table.bind("proof_texture", kept_.texture(0));
-    finished_.begin();
-    mask_.remove(going_on_, [&] { table.draw(table.program(Role::proof_unmask), tile, open_); });
-    finished_.end();
-    return finished_.passed();
-}
-
 void Proofs::prove_rays(PassTable& table, const Pieces& by, const RayThickness& thickness,
-                        Start start, const OpenSquares& open, const gpu::Rectangle& tile) {
-    open_.set(open.areas);
+                        Start start, std::vector<OpenRay> rays, const gpu::Rectangle& tile) {
     const gpu::Program& program = table.program(by.role);
     set_thickness(program, thickness);
-    const gpu::Program& gate = table.program(Role::proof_open);
-    gate.set("start", int(start));
-    table.bind("proof_texture", kept_.texture(0));
-    mask_.set(going_on_, [&] { table.draw(gate, tile, open_); });
     // A ray that had all its pieces has nothing to prove. Where elements are found by place a pass
     // may end after any piece.
     const bool by_place = synthesis::array_with_grid(passes_).has_value();
-    auto rays = std::uint32_t(open.pixels);
-    for (int left = most_pieces; rays > 0; start = Start::go_on) {
-        const int pieces = pieces_of_draw(by.cost, rays);
+    for (int left = most_pieces; left > 0 && !rays.empty(); start = Start::go_on) {
+        const std::size_t at_once = std::min<std::size_t>(rays.size(), PackedRays::most);
+        const int pieces = pieces_of_draw(by.cost, double(at_once));
         program.set("pieces_per_pass", pieces);
         program.set("start", int(start));
-        draw_and_keep(table, program, tile);
+        for (std::size_t first = 0; first < rays.size(); first += at_once) {
+            const std::size_t count = std::min(at_once, rays.size() - first);
+            packed_.draw(table, program, tile, std::span(rays).subspan(first, count), texels_);
+        }
         left -= by_place ? 1 : pieces;
-        if (left <= 0) return;
-        rays -= std::min(take_finished_off(table, tile), rays);
+        std::erase_if(rays, [&](const OpenRay& ray) { return texels_[ray.proof] >= 0; });
     }
 }
 
@@ -297,20 +276,15 @@ ProofCounts Proofs::prove(PassTable& table, const ProofRays& rays, const gpu::Te
 
     begin(table, blocks, tile);
     read(areas, tile);
-    const OpenSquares unfinished =
-        open_squares(areas, texels_, [](float outcome) { return outcome < 0; });
-    if (unfinished.pixels > 0) {
-        prove_rays(table, natural_, rays.of_floats, Start::go_on, unfinished, tile);
-        read(areas, tile);
-    }
-    const OpenSquares undecided =
-        open_squares(areas, texels_, [](float outcome) { return outcome >= float(Proof::hidden); });
-    if (undecided.pixels > 0) {
+    prove_rays(table, natural_, rays.of_floats, Start::go_on,
+               open_rays(areas, texels_, [](float outcome) { return outcome < 0; }), tile);
+    std::vector<OpenRay> undecided =
+        open_rays(areas, texels_, [](float outcome) { return outcome >= float(Proof::hidden); });
+    if (!undecided.empty()) {
         if (const std::optional<Pieces>& again = closer(table)) {
             const bool in_doubles = again->role == Role::double_proof;
             prove_rays(table, *again, in_doubles ? rays.of_doubles : rays.of_floats, Start::again,
-                       undecided, tile);
-            read(areas, tile);
+                       std::move(undecided), tile);
         }
     }
     const ProofCounts in_areas = count_proofs(texels_);

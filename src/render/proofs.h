@@ -15,11 +15,10 @@
 
 #include "gpu/buffer.h"
 #include "gpu/depth_mask.h"
-#include "gpu/query.h"
 #include "gpu/rectangles.h"
 #include "gpu/target.h"
 #include "render/march_plan.h"
-#include "render/open_squares.h"
+#include "render/packed_rays.h"
 #include "render/pass_table.h"
 #include "render/proof_outcome.h"
 #include "render/proof_rays.h"
@@ -57,8 +56,6 @@ private:
     void upload(PassTable& table, const ProofRays& rays);
     // The pass that tries undecided rays again; none if its sums are too long for a shader.
     const std::optional<Pieces>& closer(const PassTable& table);
-    // Continues the kept proofs of rays in the mask.
-    void draw_and_keep(PassTable& table, const gpu::Program& program, const gpu::Rectangle& tile);
     // Proves blocks of rays, and reads their proofs.
     void prove_blocks(PassTable& table, const gpu::Rectangle& tile);
     // Begins proofs of the single rays that blocks left, and draws a pass of them, in which most
@@ -67,11 +64,9 @@ private:
     // Reads the proofs of the squares that blocks left, area by area.
     void read(const Areas& areas, const gpu::Rectangle& tile);
     void read_kept(const Areas& areas);
-    // Removes rays whose proofs have ended from the mask; returns their number.
-    std::uint32_t take_finished_off(PassTable& table, const gpu::Rectangle& tile);
-    // Draws passes until the proofs that are open are finished.
+    // Draws passes until the proofs of these rays are finished.
     void prove_rays(PassTable& table, const Pieces& by, const RayThickness& thickness, Start start,
-                    const OpenSquares& open, const gpu::Rectangle& tile);
+                    std::vector<OpenRay> rays, const gpu::Rectangle& tile);
 
     const synthesis::Passes& passes_;
     const scene::Scene& scene_;
@@ -83,8 +78,8 @@ private:
     gpu::DepthMask block_mask_;
     gpu::DepthMask mask_; // for the last two targets
     gpu::UniformBuffer frame_;
-    gpu::Rectangles open_;                        // what passes of single rays are drawn over
-    gpu::SamplesQuery finished_;                  // counts rays
+    gpu::Rectangles open_; // what passes of single rays are drawn over
+    PackedRays packed_;
     std::vector<float> blocks_, texels_, around_; // read last
 };
 

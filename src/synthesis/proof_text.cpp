@@ -232,6 +232,8 @@ Pass proof(const scene::Scene& scene, const Passes& passes, ProofBounds bounds) 
     const bool in_doubles = bounds == ProofBounds::in_doubles;
     const auto numbers = in_doubles ? formula::Numbers::doubles : formula::Numbers::floats;
     if (in_doubles) text.version(400);
+    text.define("PACKED_ACROSS", packed_across);
+    text.file("proof/packed.glsl");
     const bool by_models = goes_by_models(field, bounds), begins = bounds == ProofBounds::natural;
     const bool begins_closer =
         begins && !by_models && bounds_at_root(passes) == ProofBounds::by_gradient;
@@ -259,13 +261,11 @@ Pass proof(const scene::Scene& scene, const Passes& passes, ProofBounds bounds) 
     case ProofBounds::natural:
         break;
     case ProofBounds::by_gradient:
-        return std::move(text).pass(Role::sharp_proof, "sharp proof", When::where_proof_is_open,
-                                    Cover::rectangles);
+        return std::move(text).pass(Role::sharp_proof, "sharp proof", When::where_proof_is_open);
     case ProofBounds::in_doubles:
-        return std::move(text).pass(Role::double_proof, "double proof", When::where_proof_is_open,
-                                    Cover::rectangles);
+        return std::move(text).pass(Role::double_proof, "double proof", When::where_proof_is_open);
     }
-    return std::move(text).pass(Role::proof, "proof", When::once_a_tile, Cover::rectangles);
+    return std::move(text).pass(Role::proof, "proof", When::once_a_tile);
 }
 
 Pass ending_of_surface(const scene::Scene& scene) {
@@ -319,13 +319,7 @@ std::vector<Pass> proof_passes(const scene::Scene& scene, const Passes& passes) 
     list.push_back(first_proof(scene, passes));
     list.push_back(
         of_outcomes(Role::ray_mask, "ray mask", When::once_a_tile, "proof/ray_mask.frag"));
-    list.push_back(
-        of_outcomes(Role::proof_open, "proof open", When::where_proof_is_open, "proof/open.frag"));
     list.push_back(proof(scene, passes, ProofBounds::natural));
-    list.push_back(
-        of_outcomes(Role::proof_copy, "proof copy", When::where_proof_is_open, "proof/copy.frag"));
-    list.push_back(of_outcomes(Role::proof_unmask, "proof unmask", When::where_proof_is_open,
-                               "proof/unmask.frag"));
     list.push_back(proof(scene, passes, ProofBounds::by_gradient));
     list.push_back(proof(scene, passes, ProofBounds::in_doubles));
     return list;
