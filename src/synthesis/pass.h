@@ -47,10 +47,8 @@ enum class Role {
     coarse_block_proof, // proves, for larger blocks of rays, the part before all roots
     block_mask,    // sets depth so that the next pass runs only where beams left a part to march
     block_proof,   // proves blocks of rays together
-    monotone_mask, // sets depth so that the next pass runs only where it may end proofs
-    first_proof,   // ends those of rays for which blocks proved all but where the root is
-    ray_mask,      // sets depth so that proofs of rays run only where these are open
-    proof,         // begins them, or continues them by some pieces
+    first_proof,   // begins those of rays, and ends them where only the root's place was open
+    proof,         // continues them by some pieces
     sharp_proof,   // tries undecided rays again, with bounds by the gradient
     double_proof,  // the same in doubles
 };
