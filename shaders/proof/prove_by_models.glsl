@@ -71,6 +71,21 @@ ProofState prove_root(ProofState s, ProofRay ray, bool hit, REAL uncertain) {
     return s;
 }
 
+// How many times as long a piece may be before what its model leaves out, which grows with the third
+// power of the length, reaches `value`.
+float longer(REAL value, REAL error) {
+    return pow(clamp(float(value / error), 1.0e-3, 1.0e3), 1.0 / 3.0);
+}
+
+// How many times as long as a piece where F > 0 the next one may be: at most up to where the
+// quadratic is 0.
+float onwards(REAL3 c, REAL error) {
+    REAL value = c.x - c.y + c.z, slope = 2.0 * c.z - c.y; // at the piece's beginning, backwards
+    REAL below = sqrt(max(slope * slope - 4.0 * value * c.z, 0.0)) - slope;
+    float to_root = below > 0.0 && slope * slope >= 4.0 * value * c.z ? float(value / below) : 10.0;
+    return clamp(min(0.75 * longer(value, error), 1.6 * to_root), 1.0, 5.0);
+}
+
 // A piece of the part before the root.
 ProofState prove_before(ProofState s, ProofRay ray, bool hit) {
     REAL high = s.settled;
@@ -98,14 +113,17 @@ ProofState prove_before(ProofState s, ProofRay ray, bool hit) {
         REAL length = high - s.settled;
         // What a model leaves out falls with the third power of its length, so that one which
         // settled only its beginning was hardly too long.
-        REAL next = is_free ? 2.2 * length : max(length, 0.6 * (high - low));
+        REAL next = is_free ? onwards(c, error) * length : max(length, 0.6 * (high - low));
         s.piece = float(max(next, shortest_piece));
         if (s.settled <= ray.t_near) s = conclude(s, hit ? PROOF_HIT : PROOF_MISS);
         // Otherwise the proof hardly advanced.
         succeeds = is_free || length >= 0.25 * shortest_piece;
     }
     if (!succeeds && s.outcome == PROOF_UNFINISHED) {
-        s.piece = float(0.4 * (high - low));
+        float length = float(high - low);
+        float part = error < IM_SATURATION ? clamp(0.8 * longer(c.x + c.y + c.z, error), 0.1, 0.6) : 0.4;
+        // The shortest one is tried before a proof is given up.
+        s.piece = max(part * length, min(0.4 * length, shortest_piece));
         bool bounded = size + error < IM_SATURATION;
         if (!(s.piece >= shortest_piece)) s = conclude(s, bounded ? PROOF_HIDDEN : PROOF_UNBOUNDED);
     }
