@@ -25,6 +25,9 @@ ProofState resume_proof(ProofState s) {
 // The part of a root's piece, to both sides, that its proof settles; the rest is for rounding.
 const float PART_OF_ROOT = 0.98;
 
+// The pieces that a root may take in floats.
+const int MOST_AT_ROOT = 4;
+
 // `uncertain`: how large F can be at the root.
 ProofState prove_root(ProofState s, ProofRay ray, bool hit, REAL uncertain) {
     REAL high = s.settled;
@@ -50,8 +53,10 @@ ProofState prove_root(ProofState s, ProofRay ray, bool hit, REAL uncertain) {
                     high - off > 2.0 * tube.z - ray.to_eye &&
                     inside_bounds(vec3(ray_point(ray, high - off))) &&
                     inside_bounds(vec3(ray_point(ray, high + off)));
-    // No shorter piece could bring the root close enough.
-    bool hopeless = uncertain * half_piece > 1.2 * tube.w * (abs(f.c.y) + bends + rest);
+    // No shorter piece could bring the root close enough; or the rounding of floats hides the slope,
+    // since shorter ones did not tell it either.
+    bool hopeless = uncertain * half_piece > 1.2 * tube.w * (abs(f.c.y) + bends + rest) ||
+                    !SAMPLES_ROOTS && s.pieces >= MOST_AT_ROOT;
     REAL by_bend = 0.5 * abs(f.c.y) / bends, by_rest = 0.5 * sqrt(abs(f.c.y) / rest);
     REAL shorter = min(by_bend, by_rest);
 
