@@ -53,6 +53,10 @@ int pieces_of_draw(const formula::Cost& piece, double rays) {
     return int(std::clamp(std::min(by_work, by_loops), 1.0, double(Proofs::most_pieces)));
 }
 
+// The pieces after which rays that go on are packed anew, so that those that need few don't wait
+// for neighbours that need many: waiting costs more than packing, as long as there are many.
+int pieces_of_packing(std::size_t rays) { return rays > 256 ? 4 : 16; }
+
 int blocks_across(int pixels, int block = synthesis::proved_block) {
     return (pixels + block - 1) / block;
 }
@@ -150,8 +154,9 @@ void Proofs::prove_rays(PassTable& table, const Pieces& by, const RayThickness& 
     // may end after any piece.
     const bool by_place = synthesis::array_with_grid(passes_).has_value();
     for (int left = most_pieces; left > 0 && !open.empty(); again = false) {
+        const auto at_once = std::min(open.size(), std::size_t(PackedRays::most));
         const int pieces =
-            pieces_of_draw(by.cost, double(std::min<std::size_t>(open.size(), PackedRays::most)));
+            std::min(pieces_of_draw(by.cost, double(at_once)), pieces_of_packing(open.size()));
         program.set("pieces_per_pass", pieces);
         program.set("again", int(again));
         packed_.go_on(table, program, tile, open, rays);
