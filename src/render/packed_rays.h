@@ -2,7 +2,6 @@
 // apart: shaders/proof/packed.glsl.
 #pragma once
 
-#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <vector>

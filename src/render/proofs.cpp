@@ -54,8 +54,13 @@ int pieces_of_draw(const formula::Cost& piece, double rays) {
 }
 
 // The pieces after which rays that go on are packed anew, so that those that need few don't wait
-// for neighbours that need many: waiting costs more than packing, as long as there are many.
-int pieces_of_packing(std::size_t rays) { return rays > 256 ? 4 : 16; }
+// for neighbours that need many: waiting costs more than packing, as long as there are many. Dear
+// pieces, as those of sums, are worth more of it.
+int pieces_of_packing(const formula::Cost& piece, std::size_t rays) {
+    constexpr std::size_t few = 256;
+    constexpr double dear = 1e4; // operations
+    return rays <= few ? 16 : piece.operations > dear ? 2 : 4;
+}
 
 int blocks_across(int pixels, int block = synthesis::proved_block) {
     return (pixels + block - 1) / block;
@@ -155,8 +160,8 @@ void Proofs::prove_rays(PassTable& table, const Pieces& by, const RayThickness& 
     const bool by_place = synthesis::array_with_grid(passes_).has_value();
     for (int left = most_pieces; left > 0 && !open.empty(); again = false) {
         const auto at_once = std::min(open.size(), std::size_t(PackedRays::most));
-        const int pieces =
-            std::min(pieces_of_draw(by.cost, double(at_once)), pieces_of_packing(open.size()));
+        const int pieces = std::min(pieces_of_draw(by.cost, double(at_once)),
+                                    pieces_of_packing(by.cost, open.size()));
         program.set("pieces_per_pass", pieces);
         program.set("again", int(again));
         packed_.go_on(table, program, tile, open, rays);
