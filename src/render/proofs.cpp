@@ -59,7 +59,7 @@ int pieces_of_draw(const formula::Cost& piece, double rays) {
 int pieces_of_packing(const formula::Cost& piece, std::size_t rays) {
     constexpr std::size_t few = 256;
     constexpr double dear = 1e4; // operations
-    return rays <= few ? 16 : piece.operations > dear ? 2 : 4;
+    return rays <= few ? 16 : piece.operations > dear ? 2 : 8;
 }
 
 int blocks_across(int pixels, int block = synthesis::proved_block) {
