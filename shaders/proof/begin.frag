@@ -1,5 +1,5 @@
-// Ends the proofs of single rays for which the block proved all but that the root is close to where it
-// was found; Newton's step decides that, see prove.glsl.
+// Begins the proofs of single rays. Those end here for which the block proved all but that the root is
+// close to where it was found; Newton's step decides that, see prove.glsl.
 layout(location = 0) out vec4 proof;
 
 void main() {

@@ -1,7 +1,7 @@
 // How the proof of a single ray begins; the misses and endings that need none have ended.
 ProofState begun_proof(Ray marched, Ray ray, Ending ended) {
     float t = ended.hit ? ended.t : ray.t_far;
-    vec2 f = value_at_root(ray, t);
+    vec2 f = value_at(ray, t);
     // It misses the bounds by more than rounding.
     bool misses = ended.miss && !(marched.t_near <= marched.t_far);
     int outcome = misses ? PROOF_MISS : PROOF_UNFINISHED;

@@ -19,15 +19,12 @@ struct ProofState {
     int pieces;    // number so far; forgotten when the proof ends
 };
 
-uniform sampler2D proof_texture;
-
 vec4 packed_proof(ProofState s) {
     float first = s.outcome == PROOF_UNFINISHED ? -1.0 - float(s.pieces) : float(s.outcome);
     return vec4(first, s.settled, s.value, s.at_root ? -s.piece : s.piece);
 }
 
-ProofState load_proof() {
-    vec4 kept = IM_TEXEL(proof_texture, ivec2(pixel_centre));
+ProofState unpacked_proof(vec4 kept) {
     bool goes_on = kept.x < 0.0;
     return ProofState(kept.y, kept.z, abs(kept.w), goes_on ? PROOF_UNFINISHED : int(kept.x),
                       kept.w < 0.0, goes_on ? int(-kept.x) - 1 : 0);

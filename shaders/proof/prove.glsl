@@ -75,9 +75,11 @@ ProofState prove_piece(ProofState s, ProofRay ray, bool hit) {
     REAL by_root = 0.8 * (middle - 1.1 * uncertain / tube.w) / spread;
     REAL by_near = near > 0.0 ? max(cross_at / deep, near / (fall * h)) : REAL(0.0);
     REAL by_value = max(by_near, far / (rise * h));
-    REAL least = s.at_root ? 0.03 : !is_free ? 0.15 : natural ? 2.0 : 1.0;
-    REAL most = s.at_root || !is_free ? 0.7 : 4.0;
-    REAL part = s.at_root ? by_root : 0.9 * sqrt(by_value);
+    // The natural bound spreads about as the length.
+    REAL by_range = abs(f.x + f.y) / (f.y - f.x);
+    REAL least = s.at_root ? 0.03 : !is_free ? 0.3 : 1.0;
+    REAL most = s.at_root || !is_free ? 0.7 : 3.0;
+    REAL part = s.at_root ? by_root : max(0.9 * sqrt(by_value), 0.7 * by_range);
     part = part > least ? min(part, most) : least; // also for NaN
     // No shorter piece could bring Newton's step close enough.
     bool hopeless = s.at_root && uncertain > tube.w * max(-f.z, f.w);
@@ -88,7 +90,7 @@ ProofState prove_piece(ProofState s, ProofRay ray, bool hit) {
         REAL value = s.at_root ? (f.z > 0.0 ? -1.0 : 1.0) * max(ahead, 0.0)
                                 : (near > 0.0 ? below : f.y < 0.0) ? -kept : kept;
         // Behind the root F grows as long as its slope keeps its sign.
-        REAL onwards = s.at_root ? clamp(2.0 * by_root, 2.0, 16.0) : part;
+        REAL onwards = s.at_root ? clamp(by_root, 2.0, 16.0) : part;
         s.piece = float(max(onwards * length, shortest_piece));
         s = settle(s, ray, hit, low, value);
     } else {

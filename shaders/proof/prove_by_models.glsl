@@ -25,6 +25,9 @@ ProofState resume_proof(ProofState s) {
 // The part of a root's piece, to both sides, that its proof settles; the rest is for rounding.
 const float PART_OF_ROOT = 0.98;
 
+// The pieces that a root may take in floats.
+const int MOST_AT_ROOT = 4;
+
 // `uncertain`: how large F can be at the root.
 ProofState prove_root(ProofState s, ProofRay ray, bool hit, REAL uncertain) {
     REAL high = s.settled;
@@ -50,8 +53,10 @@ ProofState prove_root(ProofState s, ProofRay ray, bool hit, REAL uncertain) {
                     high - off > 2.0 * tube.z - ray.to_eye &&
                     inside_bounds(vec3(ray_point(ray, high - off))) &&
                     inside_bounds(vec3(ray_point(ray, high + off)));
-    // No shorter piece could bring the root close enough.
-    bool hopeless = uncertain * half_piece > 1.2 * tube.w * (abs(f.c.y) + bends + rest);
+    // No shorter piece could bring the root close enough; or the rounding of floats hides the slope,
+    // since shorter ones did not tell it either.
+    bool hopeless = uncertain * half_piece > 1.2 * tube.w * (abs(f.c.y) + bends + rest) ||
+                    !SAMPLES_ROOTS && s.pieces >= MOST_AT_ROOT;
     REAL by_bend = 0.5 * abs(f.c.y) / bends, by_rest = 0.5 * sqrt(abs(f.c.y) / rest);
     REAL shorter = min(by_bend, by_rest);
 
@@ -69,6 +74,21 @@ ProofState prove_root(ProofState s, ProofRay ray, bool hit, REAL uncertain) {
     }
     if (s.outcome == PROOF_UNFINISHED && s.pieces >= most_pieces) s = conclude(s, PROOF_BUDGET);
     return s;
+}
+
+// How many times as long a piece may be before what its model leaves out, which grows with the third
+// power of the length, reaches `value`.
+float longer(REAL value, REAL error) {
+    return pow(clamp(float(value / error), 1.0e-3, 1.0e3), 1.0 / 3.0);
+}
+
+// How many times as long as a piece where F > 0 the next one may be: at most up to where the
+// quadratic is 0.
+float onwards(REAL3 c, REAL error) {
+    REAL value = c.x - c.y + c.z, slope = 2.0 * c.z - c.y; // at the piece's beginning, backwards
+    REAL below = sqrt(max(slope * slope - 4.0 * value * c.z, 0.0)) - slope;
+    float to_root = below > 0.0 && slope * slope >= 4.0 * value * c.z ? float(value / below) : 10.0;
+    return clamp(min(0.75 * longer(value, error), 1.6 * to_root), 1.0, 5.0);
 }
 
 // A piece of the part before the root.
@@ -98,14 +118,17 @@ ProofState prove_before(ProofState s, ProofRay ray, bool hit) {
         REAL length = high - s.settled;
         // What a model leaves out falls with the third power of its length, so that one which
         // settled only its beginning was hardly too long.
-        REAL next = is_free ? 2.2 * length : max(length, 0.6 * (high - low));
+        REAL next = is_free ? onwards(c, error) * length : max(length, 0.6 * (high - low));
         s.piece = float(max(next, shortest_piece));
         if (s.settled <= ray.t_near) s = conclude(s, hit ? PROOF_HIT : PROOF_MISS);
         // Otherwise the proof hardly advanced.
         succeeds = is_free || length >= 0.25 * shortest_piece;
     }
     if (!succeeds && s.outcome == PROOF_UNFINISHED) {
-        s.piece = float(0.4 * (high - low));
+        float length = float(high - low);
+        float part = error < IM_SATURATION ? clamp(0.8 * longer(c.x + c.y + c.z, error), 0.1, 0.6) : 0.4;
+        // The shortest one is tried before a proof is given up.
+        s.piece = max(part * length, min(0.4 * length, shortest_piece));
         bool bounded = size + error < IM_SATURATION;
         if (!(s.piece >= shortest_piece)) s = conclude(s, bounded ? PROOF_HIDDEN : PROOF_UNBOUNDED);
     }

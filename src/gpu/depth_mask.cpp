@@ -64,20 +64,6 @@ void DepthMask::set_and_paint(const Target& bound, const std::function<void()>& 
     draw();
 }
 
-void DepthMask::close() const {
-    glBindFramebuffer(GL_FRAMEBUFFER, target_.id());
-    glDepthMask(GL_TRUE);
-    constexpr GLfloat closed = 0;
-    glClearBufferfv(GL_DEPTH, 0, &closed);
-}
-
-void DepthMask::remove(const Target& bound, const std::function<void()>& draw) const {
-    bound.bind();
-    const Testing masked(GL_LESS, true);
-    const Colorless depth_alone;
-    draw();
-}
-
 void DepthMask::apply(const Target& into, const std::function<void()>& draw) const {
     into.bind();
     const Testing masked(GL_LESS, false);

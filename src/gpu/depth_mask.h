@@ -20,13 +20,8 @@ public:
     /// written.
     void set(const std::function<void()>& draw) const { set(target_, draw); }
     void set(const Target& bound, const std::function<void()>& draw) const;
-    /// Masks all pixels.
-    void close() const;
     /// The same, and `draw` writes colours, too.
     void set_and_paint(const Target& bound, const std::function<void()>& draw) const;
-    /// Removes pixels that `draw` does not discard. `draw` must not write depth; then it doesn't
-    /// run where the mask has no pixel.
-    void remove(const Target& bound, const std::function<void()>& draw) const;
     /// Runs `draw` on the mask's pixels. Its depth must be 0.5, which z = 0 gives.
     void apply(const std::function<void()>& draw) const { apply(target_, draw); }
     void apply(const Target& into, const std::function<void()>& draw) const;

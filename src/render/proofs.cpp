@@ -1,7 +1,6 @@
 #include "render/proofs.h"
 
 #include <algorithm>
-#include <array>
 #include <stdexcept>
 
 #include <fmt/format.h>
@@ -54,43 +53,33 @@ int pieces_of_draw(const formula::Cost& piece, double rays) {
     return int(std::clamp(std::min(by_work, by_loops), 1.0, double(Proofs::most_pieces)));
 }
 
-// The same of a draw that bounds F at the roots first, which takes no more terms than a piece; it
-// may be none.
-int pieces_after_beginning(const formula::Cost& piece, double rays) {
-    const double by_loops = loop_iterations_per_pass / (1 + piece.iterations) - 1;
-    const int pieces = pieces_of_draw(piece, rays);
-    return piece.iterations > 0 ? std::min(pieces, int(by_loops)) : pieces;
+// The pieces after which rays that go on are packed anew, so that those that need few don't wait
+// for neighbours that need many: waiting costs more than packing, as long as there are many. Dear
+// pieces, as those of sums, are worth more of it.
+int pieces_of_packing(const formula::Cost& piece, std::size_t rays) {
+    constexpr std::size_t few = 256;
+    constexpr double dear = 1e4; // operations
+    return rays <= few ? 16 : piece.operations > dear ? 2 : 8;
 }
 
 int blocks_across(int pixels, int block = synthesis::proved_block) {
     return (pixels + block - 1) / block;
 }
 
-gpu::Rectangle around(std::span<const gpu::Rectangle> areas) {
-    gpu::Rectangle all = areas.front();
-    int right = 0, top = 0;
-    for (const gpu::Rectangle& area : areas) {
-        all.x = std::min(all.x, area.x);
-        all.y = std::min(all.y, area.y);
-        right = std::max(right, area.x + area.width);
-        top = std::max(top, area.y + area.height);
-    }
-    all.width = right - all.x;
-    all.height = top - all.y;
-    return all;
+// The numbers of rays for which `is_open` is true of the first of their four numbers.
+template<class IsOpen>
+std::vector<std::uint32_t> open_among(const OpenRays& rays, const IsOpen& is_open) {
+    std::vector<std::uint32_t> open;
+    for (std::size_t k = 0; k < rays.pixels.size(); ++k)
+        if (is_open(rays.proofs[4 * k])) open.push_back(std::uint32_t(k));
+    return open;
 }
 
-// Replaces areas of a record of so many pixels a row.
-void write_areas(std::span<const gpu::Rectangle> areas, std::span<const float> texels, int width,
-                 std::span<float> record) {
-    for (const gpu::Rectangle& area : areas) {
-        for (int y = area.y; y < area.y + area.height; ++y) {
-            const auto row = texels.first(4 * std::size_t(area.width));
-            const std::size_t begin =
-                4 * (std::size_t(y) * std::size_t(width) + std::size_t(area.x));
-            std::ranges::copy(row, record.subspan(begin).begin());
-            texels = texels.subspan(row.size());
-        }
+void write_rays(const OpenRays& rays, int width, std::span<float> record) {
+    for (std::size_t k = 0; k < rays.pixels.size(); ++k) {
+        const glm::ivec2 pixel = rays.pixels[k];
+        const auto at = std::size_t(pixel.y) * std::size_t(width) + std::size_t(pixel.x);
+        std::ranges::copy(std::span(rays.proofs).subspan(4 * k, 4), record.subspan(4 * at).begin());
     }
 }
 
@@ -116,13 +105,9 @@ Proofs::Proofs(const synthesis::Passes& passes, const scene::Scene& scene, const
     , of_coarse_blocks_(blocks_across(plan.tile_width, synthesis::coarse_proved_block),
                         blocks_across(plan.tile_height, synthesis::coarse_proved_block))
     , of_blocks_(blocks_across(plan.tile_width), blocks_across(plan.tile_height))
-    , kept_(plan.tile_width, plan.tile_height)
-    , going_on_(plan.tile_width, plan.tile_height)
     , block_mask_(of_blocks_)
-    , mask_(going_on_)
-    , frame_(sizeof(FrameBlock)) {
-    mask_.serve(kept_);
-}
+    , frame_(sizeof(FrameBlock))
+    , packed_(plan.tile_width, plan.tile_height) {}
 
 void Proofs::upload(PassTable& table, const ProofRays& rays) {
     frame_.update(std::as_bytes(std::span(&rays.frame, 1)));
@@ -139,15 +124,6 @@ void Proofs::upload(PassTable& table, const ProofRays& rays) {
          {Role::coarse_block_proof, Role::block_proof, Role::first_proof, Role::proof}) {
         if (passes_.has(role)) set_thickness(table.program(role), rays.of_floats);
     }
-}
-
-void Proofs::draw_and_keep(PassTable& table, const gpu::Program& program,
-                           const gpu::Rectangle& tile) {
-    // A texture can't be read and written at once.
-    table.bind("proof_texture", kept_.texture(0));
-    mask_.apply(going_on_, [&] { table.draw(program, tile, open_); });
-    table.bind("proof_texture", going_on_.texture(0));
-    mask_.apply(kept_, [&] { table.draw(table.program(Role::proof_copy), tile, open_); });
 }
 
 void Proofs::prove_blocks(PassTable& table, const gpu::Rectangle& tile) {
@@ -174,97 +150,27 @@ void Proofs::prove_blocks(PassTable& table, const gpu::Rectangle& tile) {
     of_blocks_.read(0, 0, 0, across, up, blocks_);
 }
 
-void Proofs::begin(PassTable& table, const ProvedBlocks& blocks, const gpu::Rectangle& tile) {
-    mask_.close();
-    // A texture can't be read and written at once.
-    table.bind("proof_texture", going_on_.texture(0));
-    if (!blocks.monotone.areas.empty()) {
-        open_.set(blocks.monotone.areas);
-        mask_.set(kept_, [&] { table.draw(table.program(Role::monotone_mask), tile, open_); });
-        mask_.apply(kept_, [&] { table.draw(table.program(Role::first_proof), tile, open_); });
-    }
-    table.bind("proof_texture", kept_.texture(0));
-    open_.set(blocks.left.areas);
-    mask_.set(going_on_, [&] { table.draw(table.program(Role::ray_mask), tile, open_); });
-    table.bind("proof_texture", going_on_.texture(0));
-    const gpu::Program& program = table.program(Role::proof);
-    program.set("pieces_per_pass", pieces_after_beginning(natural_.cost, blocks.left.pixels));
-    program.set("start", int(Start::begin));
-    // Software renderers run the shader twice for pixels where two triangles meet, as those of each
-    // square do.
-    open_.set(std::array{gpu::Rectangle{0, 0, tile.width, tile.height}});
-    mask_.apply(kept_, [&] { table.draw(program, tile, open_); });
-}
-
-void Proofs::read(const Areas& areas, const gpu::Rectangle& tile) {
-    read_kept(areas);
-    write_proved_blocks(blocks_, tile.width, areas, texels_);
-}
-
-void Proofs::read_kept(const Areas& areas) {
-    const auto floats_of = [](const gpu::Rectangle& area) {
-        return 4 * std::size_t(area.width) * std::size_t(area.height);
-    };
-    std::size_t floats = 0;
-    for (const gpu::Rectangle& area : areas) floats += floats_of(area);
-    texels_.resize(floats);
-    std::span<float> to(texels_);
-    // Each read waits for a graphics card.
-    constexpr std::size_t most_reads = 64;
-    if (areas.size() > most_reads) {
-        const gpu::Rectangle all = around(areas);
-        around_.resize(floats_of(all));
-        kept_.read(0, all.x, all.y, all.width, all.height, around_);
-        for (const gpu::Rectangle& area : areas) {
-            for (int y = area.y; y < area.y + area.height; ++y) {
-                const auto row = 4 * (std::size_t(y - all.y) * std::size_t(all.width) +
-                                      std::size_t(area.x - all.x));
-                const auto texels = std::span(around_).subspan(row, 4 * std::size_t(area.width));
-                std::ranges::copy(texels, to.begin());
-                to = to.subspan(texels.size());
-            }
-        }
-        return;
-    }
-    for (const gpu::Rectangle& area : areas) {
-        kept_.read(0, area.x, area.y, area.width, area.height, to.first(floats_of(area)));
-        to = to.subspan(floats_of(area));
-    }
-}
-
-std::uint32_t Proofs::take_finished_off(PassTable& table, const gpu::Rectangle& tile) {
-    table.bind("proof_texture", kept_.texture(0));
-    finished_.begin();
-    mask_.remove(going_on_, [&] { table.draw(table.program(Role::proof_unmask), tile, open_); });
-    finished_.end();
-    return finished_.passed();
-}
-
 void Proofs::prove_rays(PassTable& table, const Pieces& by, const RayThickness& thickness,
-                        Start start, const OpenSquares& open, const gpu::Rectangle& tile) {
-    open_.set(open.areas);
+                        bool again, std::vector<std::uint32_t> open, OpenRays& rays,
+                        const gpu::Rectangle& tile) {
     const gpu::Program& program = table.program(by.role);
     set_thickness(program, thickness);
-    const gpu::Program& gate = table.program(Role::proof_open);
-    gate.set("start", int(start));
-    table.bind("proof_texture", kept_.texture(0));
-    mask_.set(going_on_, [&] { table.draw(gate, tile, open_); });
     // A ray that had all its pieces has nothing to prove. Where elements are found by place a pass
     // may end after any piece.
     const bool by_place = synthesis::array_with_grid(passes_).has_value();
-    auto rays = std::uint32_t(open.pixels);
-    for (int left = most_pieces; rays > 0; start = Start::go_on) {
-        const int pieces = pieces_of_draw(by.cost, rays);
+    for (int left = most_pieces; left > 0 && !open.empty(); again = false) {
+        const auto at_once = std::min(open.size(), std::size_t(PackedRays::most));
+        const int pieces = std::min(pieces_of_draw(by.cost, double(at_once)),
+                                    pieces_of_packing(by.cost, open.size()));
         program.set("pieces_per_pass", pieces);
-        program.set("start", int(start));
-        draw_and_keep(table, program, tile);
+        program.set("again", int(again));
+        packed_.go_on(table, program, tile, open, rays);
         left -= by_place ? 1 : pieces;
-        if (left <= 0) return;
-        rays -= std::min(take_finished_off(table, tile), rays);
+        std::erase_if(open, [&](std::uint32_t k) { return rays.proofs[4 * k] >= 0; });
     }
 }
 
-const std::optional<Proofs::Pieces>& Proofs::closer(const PassTable& table) {
+const std::optional<Proofs::Pieces>& Proofs::closer_pieces(const PassTable& table) {
     if (!closer_) {
         const bool in_doubles = may_take_doubles_ && can_trust_doubles(table.spare_unit());
         const auto bounds = in_doubles ? ProofBounds::in_doubles : ProofBounds::by_gradient;
@@ -291,31 +197,24 @@ ProofCounts Proofs::prove(PassTable& table, const ProofRays& rays, const gpu::Te
     prove_blocks(table, tile);
     const ProvedBlocks blocks = proved_blocks(blocks_, tile.width, tile.height);
     if (!record.empty()) write_proved_blocks(blocks_, tile.width, tile.height, record);
-    const Areas& areas = blocks.left.areas;
-    ProofCounts counts = blocks.outside;
-    if (areas.empty()) return counts;
+    ProofCounts counts = blocks.decided;
+    if (blocks.open.empty()) return counts;
 
-    begin(table, blocks, tile);
-    read(areas, tile);
-    const OpenSquares unfinished =
-        open_squares(areas, texels_, [](float outcome) { return outcome < 0; });
-    if (unfinished.pixels > 0) {
-        prove_rays(table, natural_, rays.of_floats, Start::go_on, unfinished, tile);
-        read(areas, tile);
-    }
-    const OpenSquares undecided =
-        open_squares(areas, texels_, [](float outcome) { return outcome >= float(Proof::hidden); });
-    if (undecided.pixels > 0) {
-        if (const std::optional<Pieces>& again = closer(table)) {
-            const bool in_doubles = again->role == Role::double_proof;
-            prove_rays(table, *again, in_doubles ? rays.of_doubles : rays.of_floats, Start::again,
-                       undecided, tile);
-            read(areas, tile);
+    OpenRays open = packed_.begin(table, table.program(Role::first_proof), tile, blocks.open);
+    prove_rays(table, natural_, rays.of_floats, false,
+               open_among(open, [](float outcome) { return outcome < 0; }), open, tile);
+    std::vector<std::uint32_t> undecided =
+        open_among(open, [](float outcome) { return outcome >= float(Proof::hidden); });
+    if (!undecided.empty()) {
+        if (const std::optional<Pieces>& closer = closer_pieces(table)) {
+            const bool in_doubles = closer->role == Role::double_proof;
+            prove_rays(table, *closer, in_doubles ? rays.of_doubles : rays.of_floats, true,
+                       std::move(undecided), open, tile);
         }
     }
-    const ProofCounts in_areas = count_proofs(texels_);
-    for (std::size_t k = 0; k < counts.size(); ++k) counts[k] += in_areas[k];
-    if (!record.empty()) write_areas(areas, texels_, tile.width, record);
+    const ProofCounts of_rays = count_proofs(open.proofs);
+    for (std::size_t k = 0; k < counts.size(); ++k) counts[k] += of_rays[k];
+    if (!record.empty()) write_rays(open, tile.width, record);
     return counts;
 }
 

@@ -15,11 +15,9 @@
 
 #include "gpu/buffer.h"
 #include "gpu/depth_mask.h"
-#include "gpu/query.h"
-#include "gpu/rectangles.h"
 #include "gpu/target.h"
 #include "render/march_plan.h"
-#include "render/open_squares.h"
+#include "render/packed_rays.h"
 #include "render/pass_table.h"
 #include "render/proof_outcome.h"
 #include "render/proof_rays.h"
@@ -47,31 +45,20 @@ public:
                       const gpu::Rectangle& tile, std::span<float> record);
 
 private:
-    enum class Start { go_on, again, begin };
     // A pass of single rays' proofs, with the cost of a piece.
     struct Pieces {
         synthesis::Role role;
         formula::Cost cost;
     };
-    using Areas = std::vector<gpu::Rectangle>;
     void upload(PassTable& table, const ProofRays& rays);
     // The pass that tries undecided rays again; none if its sums are too long for a shader.
-    const std::optional<Pieces>& closer(const PassTable& table);
-    // Continues the kept proofs of rays in the mask.
-    void draw_and_keep(PassTable& table, const gpu::Program& program, const gpu::Rectangle& tile);
+    const std::optional<Pieces>& closer_pieces(const PassTable& table);
     // Proves blocks of rays, and reads their proofs.
     void prove_blocks(PassTable& table, const gpu::Rectangle& tile);
-    // Begins proofs of the single rays that blocks left, and draws a pass of them, in which most
-    // end.
-    void begin(PassTable& table, const ProvedBlocks& blocks, const gpu::Rectangle& tile);
-    // Reads the proofs of the squares that blocks left, area by area.
-    void read(const Areas& areas, const gpu::Rectangle& tile);
-    void read_kept(const Areas& areas);
-    // Removes rays whose proofs have ended from the mask; returns their number.
-    std::uint32_t take_finished_off(PassTable& table, const gpu::Rectangle& tile);
-    // Draws passes until the proofs that are open are finished.
-    void prove_rays(PassTable& table, const Pieces& by, const RayThickness& thickness, Start start,
-                    const OpenSquares& open, const gpu::Rectangle& tile);
+    // Draws passes until the proofs of those rays that `open` numbers are finished. `again`: these
+    // were given up.
+    void prove_rays(PassTable& table, const Pieces& by, const RayThickness& thickness, bool again,
+                    std::vector<std::uint32_t> open, OpenRays& rays, const gpu::Rectangle& tile);
 
     const synthesis::Passes& passes_;
     const scene::Scene& scene_;
@@ -79,13 +66,11 @@ private:
     int block_pieces_; // limit on pieces
     Pieces natural_;
     std::optional<std::optional<Pieces>> closer_; // set once it was needed
-    gpu::Target of_coarse_blocks_, of_blocks_, kept_, going_on_;
+    gpu::Target of_coarse_blocks_, of_blocks_;
     gpu::DepthMask block_mask_;
-    gpu::DepthMask mask_; // for the last two targets
     gpu::UniformBuffer frame_;
-    gpu::Rectangles open_;                        // what passes of single rays are drawn over
-    gpu::SamplesQuery finished_;                  // counts rays
-    std::vector<float> blocks_, texels_, around_; // read last
+    PackedRays packed_;
+    std::vector<float> blocks_; // read last
 };
 
 } // namespace isomotion::render

@@ -1,10 +1,11 @@
-// What the proofs of blocks of rays decide of whole blocks. Where they decide all of a square,
-// nothing is drawn for its rays.
+// What the proofs of blocks of rays decide of whole blocks. Nothing is drawn for the rays of those.
 #pragma once
 
 #include <span>
+#include <vector>
 
-#include "render/open_squares.h"
+#include <glm/vec2.hpp>
+
 #include "render/proof_outcome.h"
 
 namespace isomotion::render {
@@ -14,9 +15,8 @@ namespace isomotion::render {
 inline constexpr float block_misses = -1, block_hits = -2;
 
 struct ProvedBlocks {
-    OpenSquares left;      // with a block that is not decided, whose pixels are open
-    OpenSquares monotone;  // those with a block in which F is proved monotone around the roots
-    ProofCounts outside{}; // of the pixels elsewhere
+    std::vector<glm::ivec2> open; // numbers of blocks that are not decided, row by row
+    ProofCounts decided{};        // of the pixels of the others
 };
 
 // `blocks` has four numbers of each block of a tile of width x height pixels, row by row.
@@ -26,9 +26,5 @@ ProvedBlocks proved_blocks(std::span<const float> blocks, int width, int height)
 // where nothing is.
 void write_proved_blocks(std::span<const float> blocks, int width, int height,
                          std::span<float> record);
-
-// Writes the same over what is decided in `areas`, whose records `texels` holds one after another.
-void write_proved_blocks(std::span<const float> blocks, int width,
-                         std::span<const gpu::Rectangle> areas, std::span<float> texels);
 
 } // namespace isomotion::render

@@ -47,13 +47,8 @@ enum class Role {
     coarse_block_proof, // proves, for larger blocks of rays, the part before all roots
     block_mask,    // sets depth so that the next pass runs only where beams left a part to march
     block_proof,   // proves blocks of rays together
-    monotone_mask, // sets depth so that the next pass runs only where it may end proofs
-    first_proof,   // ends those of rays for which blocks proved all but where the root is
-    ray_mask,      // sets depth so that proofs of rays run only where these are open
-    proof_open,    // sets depth so that proofs run only for rays that are not decided
+    first_proof,   // begins those of rays, and ends them where only the root's place was open
     proof,         // continues them by some pieces
-    proof_copy,    // copies continued proofs to the target that holds all
-    proof_unmask,  // sets depth so that finished ones don't run
     sharp_proof,   // tries undecided rays again, with bounds by the gradient
     double_proof,  // the same in doubles
 };

@@ -97,7 +97,6 @@ void add_proof(ShaderText& text, const scene::Scene& scene, const Passes& passes
     add_ended_ray(text, scene);
     if (has_lists(passes)) text.define("LISTS", 1);
     add_entrance(text, passes, !passes.beams.empty());
-    text.define("PROVED_BLOCK", proved_block);
     text.file("proof/rounding.glsl");
     if (has_lists(passes)) text.file("proof/list_of_ray.glsl");
     text.file("proof/block_outcome.glsl");
@@ -119,18 +118,11 @@ ProofBounds bounds_at_root(const FieldStorage& storage) {
     return has_lists(storage) ? ProofBounds::natural : ProofBounds::by_gradient;
 }
 
-// How proofs of single rays begin, by the bounds that the text has.
-void add_beginning(ShaderText& text) {
-    text.generated("bounds at roots", "#define value_at_root value_at\n");
-    text.file("proof/begun.glsl");
-}
-
-// The same by closer bounds than those that the text has.
-void add_closer_beginning(ShaderText& text) {
-    text.generated("bounds at roots", "#define value_at value_at_root\n");
-    add_value_at(text, ProofBounds::by_gradient);
-    text.generated("bounds elsewhere", "#undef value_at\n");
-    text.file("proof/begun.glsl");
+// Takes the place of pixels that fragments lie on.
+void add_packed(ShaderText& text) {
+    text.define("PROVED_BLOCK", proved_block);
+    text.define("LIST_ACROSS", open_list_across);
+    text.file("proof/packed.glsl");
 }
 
 // Proofs of single rays by models.
@@ -207,6 +199,8 @@ Pass first_proof(const scene::Scene& scene, const Passes& passes) {
     const formula::Field& field = *scene.surface.field;
     const bool by_models = goes_by_models(field, ProofBounds::natural);
     ShaderText text;
+    text.define("WHOLE_BLOCKS", 1);
+    add_packed(text);
     if (by_models) {
         add_enclosures(text, field, passes, {});
         add_proof(text, scene, passes, ProofBounds::natural);
@@ -220,10 +214,9 @@ Pass first_proof(const scene::Scene& scene, const Passes& passes) {
         add_proof(text, scene, passes, bounds);
         add_value_at(text, bounds);
     }
-    add_beginning(text);
+    text.file("proof/begun.glsl");
     text.file("proof/begin.frag");
-    return std::move(text).pass(Role::first_proof, "first proof", When::once_a_tile,
-                                Cover::rectangles);
+    return std::move(text).pass(Role::first_proof, "first proof", When::once_a_tile);
 }
 
 Pass proof(const scene::Scene& scene, const Passes& passes, ProofBounds bounds) {
@@ -232,40 +225,28 @@ Pass proof(const scene::Scene& scene, const Passes& passes, ProofBounds bounds) 
     const bool in_doubles = bounds == ProofBounds::in_doubles;
     const auto numbers = in_doubles ? formula::Numbers::doubles : formula::Numbers::floats;
     if (in_doubles) text.version(400);
-    const bool by_models = goes_by_models(field, bounds), begins = bounds == ProofBounds::natural;
-    const bool begins_closer =
-        begins && !by_models && bounds_at_root(passes) == ProofBounds::by_gradient;
-    if (by_models) {
+    add_packed(text);
+    if (goes_by_models(field, bounds)) {
         add_enclosures(text, field, passes, {}, numbers);
         add_by_place(text, passes);
         add_proof(text, scene, passes, bounds);
         add_ray_models(text, field, numbers);
     } else {
-        std::vector functions = samples_of_ray(field, passes, bounds);
-        if (begins_closer) functions.push_back(FieldFunction::gradient_interval);
-        add_enclosures(text, field, passes, functions, numbers);
+        add_enclosures(text, field, passes, samples_of_ray(field, passes, bounds), numbers);
         add_by_place(text, passes);
         add_proof(text, scene, passes, bounds);
         add_ray_bounds(text, field, passes, bounds);
-    }
-    if (begins) text.define("BEGINS", 1);
-    if (begins_closer) {
-        add_closer_beginning(text);
-    } else if (begins) {
-        add_beginning(text);
     }
     text.file("proof/proof.frag");
     switch (bounds) {
     case ProofBounds::natural:
         break;
     case ProofBounds::by_gradient:
-        return std::move(text).pass(Role::sharp_proof, "sharp proof", When::where_proof_is_open,
-                                    Cover::rectangles);
+        return std::move(text).pass(Role::sharp_proof, "sharp proof", When::where_proof_is_open);
     case ProofBounds::in_doubles:
-        return std::move(text).pass(Role::double_proof, "double proof", When::where_proof_is_open,
-                                    Cover::rectangles);
+        return std::move(text).pass(Role::double_proof, "double proof", When::where_proof_is_open);
     }
-    return std::move(text).pass(Role::proof, "proof", When::once_a_tile, Cover::rectangles);
+    return std::move(text).pass(Role::proof, "proof", When::once_a_tile);
 }
 
 Pass ending_of_surface(const scene::Scene& scene) {
@@ -276,16 +257,6 @@ Pass ending_of_surface(const scene::Scene& scene) {
     text.file("surfaces/eye_way.glsl");
     text.file("proof/ending_of_surface.frag");
     return std::move(text).pass(Role::ending, "ending", When::once_a_tile);
-}
-
-// A pass over what proofs keep.
-Pass of_outcomes(Role role, std::string name, When when, const std::string& file) {
-    ShaderText text;
-    text.define("PROVED_BLOCK", proved_block);
-    text.file("proof/block_outcome.glsl");
-    text.file("proof/outcome.glsl");
-    text.file(file);
-    return std::move(text).pass(role, std::move(name), when, Cover::rectangles);
 }
 
 } // namespace
@@ -314,18 +285,8 @@ std::vector<Pass> proof_passes(const scene::Scene& scene, const Passes& passes) 
         list.push_back(block_proof(scene, passes, Role::coarse_block_proof));
     if (lies_in_beams(passes, proved_block)) list.push_back(block_mask(passes));
     list.push_back(block_proof(scene, passes, Role::block_proof));
-    list.push_back(of_outcomes(Role::monotone_mask, "monotone mask", When::once_a_tile,
-                               "proof/monotone_mask.frag"));
     list.push_back(first_proof(scene, passes));
-    list.push_back(
-        of_outcomes(Role::ray_mask, "ray mask", When::once_a_tile, "proof/ray_mask.frag"));
-    list.push_back(
-        of_outcomes(Role::proof_open, "proof open", When::where_proof_is_open, "proof/open.frag"));
     list.push_back(proof(scene, passes, ProofBounds::natural));
-    list.push_back(
-        of_outcomes(Role::proof_copy, "proof copy", When::where_proof_is_open, "proof/copy.frag"));
-    list.push_back(of_outcomes(Role::proof_unmask, "proof unmask", When::where_proof_is_open,
-                               "proof/unmask.frag"));
     list.push_back(proof(scene, passes, ProofBounds::by_gradient));
     list.push_back(proof(scene, passes, ProofBounds::in_doubles));
     return list;

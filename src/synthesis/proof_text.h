@@ -18,6 +18,8 @@ enum class ProofBounds { natural, by_gradient, in_doubles };
 inline constexpr int proved_block = 4;
 // The same for larger blocks, for which the part before all roots is proved first, if models exist.
 inline constexpr int coarse_proved_block = 16;
+// Texels in a row of the list of open blocks or rays: shaders/proof/packed.glsl.
+inline constexpr int open_list_across = 1024;
 
 // The cost of a piece of a block's proof, and of a single ray's.
 formula::Cost cost_of_block_piece(const formula::Field& field, std::span<const int> counts);
