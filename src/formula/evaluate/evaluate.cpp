@@ -9,6 +9,8 @@
 #include "formula/evaluate/clones.h"
 #include "formula/graph/operations.h"
 #include "formula/interval/interval_operations.h"
+#include "formula/interval/rounding_upwards.h"
+#include "formula/interval/upward.h"
 
 // Loops over lanes for wider registers too; the values are the same, for nothing is contracted.
 // `flatten` puts all that a loop calls into each version: what stays a call is made for no
@@ -30,49 +32,88 @@ double random_unit(std::uint64_t seed, double i, double k) {
     return double(h >> 11) * 0x1p-53;
 }
 
+template<> struct Lanes<Upward> : LanesOfEnds<Upward> { using LanesOfEnds::LanesOfEnds; };
+
 namespace {
 
 template<class T> constexpr bool is_interval = std::is_same_v<T, Interval>;
+template<class Value> constexpr bool is_upward = std::is_same_v<Value, Upward>;
+template<class Value> constexpr bool is_enclosure = is_interval<Value> || is_upward<Value>;
 
-// Whether the function is a call for each point, which takes as long as dozens of products.
-template<class T> constexpr bool is_called(Op op) {
-    return is_interval<T> && op != Op::abs && op != Op::sign && op != Op::sqrt && op != Op::exp &&
-           op != Op::floor;
-}
+// What values of T are computed as.
+template<class T> struct ComputedAs { using Value = T; };
+#if ISOMOTION_MAY_ROUND_UPWARDS
+template<> struct ComputedAs<Interval> { using Value = Upward; };
+#endif
+template<class T> using Computed = typename ComputedAs<T>::Value;
 
-// As in a shader: folded in double, a constant may be more than a float holds.
-template<class T> T constant(double value) {
-    if constexpr (is_interval<T>) {
-        return value;
-    } else {
-        return T(std::clamp(value, double(std::numeric_limits<T>::lowest()),
-                            double(std::numeric_limits<T>::max())));
+template<class Value> bool can_compute() { return !is_upward<Value> || can_round_upwards(); }
+
+// How the processor rounds while values are computed.
+template<class Value> struct Rounding {
+    void pause() {}
+    void resume() {}
+};
+template<> struct Rounding<Upward> : RoundingUpwards {};
+
+// Whether the error bounds of the operation's enclosures hold while the processor rounds to
+// nearest.
+constexpr bool is_of_nearest(Op op) {
+    switch (op) {
+#define ROW(name, ...) case Op::name:
+        ISOMOTION_FUNCTIONS(ROW)
+#undef ROW
+        return op != Op::abs;
+    case Op::power:
+    case Op::chebyshev:
+        return true;
+    default:
+        return false;
     }
 }
 
-template<class T> T random(std::uint64_t seed, T i, T k) {
-    if constexpr (is_interval<T>) {
-        return is_point(i) && is_point(k) ? Interval(random_unit(seed, i.lo, k.lo))
-                                          : Interval(0, 1);
+// Whether the function is a call for each point, which takes as long as dozens of products.
+template<class Value> constexpr bool is_called(Op op) {
+    return is_enclosure<Value> && op != Op::abs && op != Op::sign && op != Op::sqrt &&
+           op != Op::exp && op != Op::floor;
+}
+
+// As in a shader: folded in double, a constant may be more than a float holds.
+template<class Value> Value constant(double value) {
+    if constexpr (is_enclosure<Value>) {
+        return value;
     } else {
-        return T(random_unit(seed, double(i), double(k)));
+        return Value(std::clamp(value, double(std::numeric_limits<Value>::lowest()),
+                                double(std::numeric_limits<Value>::max())));
+    }
+}
+
+template<class Value> Value random(std::uint64_t seed, Value i, Value k) {
+    if constexpr (is_enclosure<Value>) {
+        const Interval first = i, second = k;
+        return is_point(first) && is_point(second)
+                   ? Interval(random_unit(seed, first.lo, second.lo))
+                   : Interval(0, 1);
+    } else {
+        return Value(random_unit(seed, double(i), double(k)));
     }
 }
 
 // `each` sets the result at each point.
-template<class Each>
-[[gnu::always_inline]] inline void multiply(Product product, const Lanes<Interval>& a,
-                                            const Lanes<Interval>& b, const Each& each) {
-    using Do = Operations<Interval>;
+template<class Value, class Each>
+[[gnu::always_inline]] inline void multiply(Product product, const Lanes<Value>& a,
+                                            const Lanes<Value>& b, const Each& each) {
+    using Do = Operations<Value>;
     if (product == Product::by_uniform) {
-        const Interval factor = b[0];
-        if (is_point(factor) && factor.lo > 0)
-            return each([&](int l) { return times_positive(a[l], factor.lo); });
-        if (is_point(factor) && factor.lo < 0)
-            return each([&](int l) { return -times_positive(a[l], -factor.lo); });
-        if (factor.lo < 0 && factor.hi <= 0)
+        const Value factor = b[0];
+        const Interval ends = factor;
+        if (is_point(ends) && ends.lo > 0)
+            return each([&](int l) { return times_positive(a[l], ends.lo); });
+        if (is_point(ends) && ends.lo < 0)
+            return each([&](int l) { return -times_positive(a[l], -ends.lo); });
+        if (ends.lo < 0 && ends.hi <= 0)
             return each([&](int l) { return -times_not_negative(a[l], -factor); });
-        if (factor.lo >= 0 && factor.hi > 0) product = Product::by_not_negative;
+        if (ends.lo >= 0 && ends.hi > 0) product = Product::by_not_negative;
     }
     switch (product) {
     case Product::square:
@@ -102,56 +143,71 @@ Evaluator<T>::Evaluator(const Program& program)
     loops_.reserve(plan_.deepest);
 }
 
-template<class T> template<int Count> Lanes<T> Evaluator<T>::lanes(Register r) {
-    return {registers_.data() + std::size_t(r) * Lanes<T>::parts * Count, Count};
+template<class T> template<int Count, class Value> Lanes<Value> Evaluator<T>::lanes(Register r) {
+    return {registers_.data() + std::size_t(r) * Lanes<Value>::parts * Count, Count};
 }
 
 template<class T>
 void Evaluator<T>::point(const Bindings<T>& bindings, std::span<const T> inputs,
                          std::span<T> outputs) {
-    for (std::size_t k = 0; k < plan_.inputs.size(); ++k) {
-        if (plan_.inputs[k] >= 0) lanes<1>(plan_.inputs[k]).set(0, inputs[k]);
+    if (can_compute<Computed<T>>()) {
+        one<Computed<T>>(bindings, inputs, outputs);
+    } else {
+        one<T>(bindings, inputs, outputs);
     }
-    run<1>(bindings);
+}
+
+template<class T>
+template<class Value>
+void Evaluator<T>::one(const Bindings<T>& bindings, std::span<const T> inputs,
+                       std::span<T> outputs) {
+    for (std::size_t k = 0; k < plan_.inputs.size(); ++k) {
+        if (plan_.inputs[k] >= 0) lanes<1, Value>(plan_.inputs[k]).set(0, inputs[k]);
+    }
+    run<1, Value>(bindings);
     for (std::size_t o = 0; o < outputs.size(); ++o) {
-        outputs[o] = lanes<1>(plan_.outputs[o])[0];
+        outputs[o] = lanes<1, Value>(plan_.outputs[o])[0];
     }
 }
 
 template<class T>
 void Evaluator<T>::points(const Bindings<T>& bindings, std::span<const std::span<const T>> inputs,
                           std::span<const std::span<T>> outputs) {
+    using Value = Computed<T>;
     const std::size_t total = inputs.empty() ? 0 : inputs[0].size();
-    for (std::size_t first = 0; first < total; first += block) {
+    const bool are_alone = !can_compute<Value>();
+    for (std::size_t first = 0; are_alone && first < total; ++first)
+        together<1, T>(bindings, inputs, outputs, first, 1);
+    for (std::size_t first = 0; !are_alone && first < total; first += block) {
         const std::size_t count = std::min<std::size_t>(block, total - first);
         if (count == 1) {
-            together<1>(bindings, inputs, outputs, first, count);
+            together<1, Value>(bindings, inputs, outputs, first, count);
         } else if (count <= few) {
-            together<few>(bindings, inputs, outputs, first, count);
+            together<few, Value>(bindings, inputs, outputs, first, count);
         } else if (count <= half) {
-            together<half>(bindings, inputs, outputs, first, count);
+            together<half, Value>(bindings, inputs, outputs, first, count);
         } else {
-            together<block>(bindings, inputs, outputs, first, count);
+            together<block, Value>(bindings, inputs, outputs, first, count);
         }
     }
 }
 
 template<class T>
-template<int Count>
+template<int Count, class Value>
 void Evaluator<T>::together(const Bindings<T>& bindings, std::span<const std::span<const T>> inputs,
                             std::span<const std::span<T>> outputs, std::size_t first,
                             std::size_t count) {
     for (std::size_t k = 0; k < plan_.inputs.size(); ++k) {
         if (plan_.inputs[k] < 0) continue;
-        const Lanes<T> to = lanes<Count>(plan_.inputs[k]);
+        const Lanes<Value> to = lanes<Count, Value>(plan_.inputs[k]);
         const std::span<const T> from = inputs[k].subspan(first, count);
         for (std::size_t lane = 0; lane < count; ++lane) to.set(int(lane), from[lane]);
         // Lanes past the end repeat the last point: no branch inside, nothing undefined.
         for (std::size_t lane = count; lane < Count; ++lane) to.set(int(lane), from[count - 1]);
     }
-    run<Count>(bindings);
+    run<Count, Value>(bindings);
     for (std::size_t o = 0; o < outputs.size(); ++o) {
-        const Lanes<T> from = lanes<Count>(plan_.outputs[o]);
+        const Lanes<Value> from = lanes<Count, Value>(plan_.outputs[o]);
         for (std::size_t lane = 0; lane < count; ++lane) {
             outputs[o][first + lane] = from[int(lane)];
         }
@@ -159,11 +215,12 @@ void Evaluator<T>::together(const Bindings<T>& bindings, std::span<const std::sp
 }
 
 template<class T>
-template<int Count>
+template<int Count, class Value>
 ISOMOTION_WIDER void Evaluator<T>::run(const Bindings<T>& bindings) {
-    using Do = Operations<T>;
+    using Do = Operations<Value>;
     const auto& code = plan_.steps;
     loops_.clear();
+    [[maybe_unused]] Rounding<Value> rounding;
     for (std::size_t at = 0; at < code.size(); ++at) {
         const Step& now = code[at];
         if (now.kind == Instruction::Kind::loop_begin) {
@@ -187,10 +244,10 @@ ISOMOTION_WIDER void Evaluator<T>::run(const Bindings<T>& bindings) {
             }
             continue;
         }
-        const Lanes<T> to = lanes<Count>(now.result);
-        const Lanes<T> a = lanes<Count>(now.arity > 0 ? now.operands[0] : now.result);
-        const Lanes<T> b = lanes<Count>(now.arity > 1 ? now.operands[1] : now.result);
-        const auto all = [&](T value) {
+        const Lanes<Value> to = lanes<Count, Value>(now.result);
+        const Lanes<Value> a = lanes<Count, Value>(now.arity > 0 ? now.operands[0] : now.result);
+        const Lanes<Value> b = lanes<Count, Value>(now.arity > 1 ? now.operands[1] : now.result);
+        const auto all = [&](Value value) {
             for (int lane = 0; lane < Count; ++lane) to.set(lane, value);
         };
         const auto each = [&](auto&& value) {
@@ -206,9 +263,9 @@ ISOMOTION_WIDER void Evaluator<T>::run(const Bindings<T>& bindings) {
             }
         };
         if (now.kind == Instruction::Kind::begin) {
-            all(now.op == Op::least ? Do::least_of_none() : T(0));
+            all(now.op == Op::least ? Do::least_of_none() : Value(0));
             if (!keeps_least(now.op)) continue;
-            const Lanes<T> least = lanes<Count>(now.operands[2]);
+            const Lanes<Value> least = lanes<Count, Value>(now.operands[2]);
             for (int lane = 0; lane < Count; ++lane) least.set(lane, Do::least_of_none());
             continue;
         }
@@ -218,8 +275,8 @@ ISOMOTION_WIDER void Evaluator<T>::run(const Bindings<T>& bindings) {
             } else if (now.op == Op::least) { // what is no number is passed over
                 each([&](int l) { return Do::min(a[l], to[l]); });
             } else {
-                const Lanes<T> least = lanes<Count>(now.operands[2]);
-                const T number = T(loops_.back().element + 1);
+                const Lanes<Value> least = lanes<Count, Value>(now.operands[2]);
+                const Value number = Value(loops_.back().element + 1);
                 each([&](int l) {
                     return Do::select(a[l], least[l], now.op == Op::pick ? b[l] : number, to[l]);
                 });
@@ -227,9 +284,11 @@ ISOMOTION_WIDER void Evaluator<T>::run(const Bindings<T>& bindings) {
             }
             continue;
         }
+        const bool is_paused = is_upward<Value> && is_of_nearest(now.op);
+        if (is_paused) rounding.pause();
         switch (now.op) {
         case Op::constant:
-            all(constant<T>(now.value));
+            all(constant<Value>(now.value));
             break;
         case Op::input:
             assert(!"put into its register before");
@@ -249,7 +308,7 @@ ISOMOTION_WIDER void Evaluator<T>::run(const Bindings<T>& bindings) {
             break;
 #define ROW(name, ...)                                                                             \
     case Op::name:                                                                                 \
-        if constexpr (is_called<T>(Op::name)) {                                                    \
+        if constexpr (is_called<Value>(Op::name)) {                                                \
             each_of_runs([&](int l) { return Do::name(a[l]); });                                   \
         } else {                                                                                   \
             each([&](int l) { return Do::name(a[l]); });                                           \
@@ -264,7 +323,7 @@ ISOMOTION_WIDER void Evaluator<T>::run(const Bindings<T>& bindings) {
             each([&](int l) { return Do::subtract(a[l], b[l]); });
             break;
         case Op::multiply:
-            if constexpr (is_interval<T>) {
+            if constexpr (is_enclosure<Value>) {
                 multiply(now.product, a, b, each);
             } else {
                 each([&](int l) { return a[l] * b[l]; });
@@ -286,12 +345,13 @@ ISOMOTION_WIDER void Evaluator<T>::run(const Bindings<T>& bindings) {
             each([&](int l) { return random(bindings.seed, a[l], b[l]); });
             break;
         case Op::select: {
-            const Lanes<T> c = lanes<Count>(now.operands[2]), d = lanes<Count>(now.operands[3]);
+            const Lanes<Value> c = lanes<Count, Value>(now.operands[2]),
+                               d = lanes<Count, Value>(now.operands[3]);
             each([&](int l) { return Do::select(a[l], b[l], c[l], d[l]); });
             break;
         }
         case Op::chebyshev:
-            if constexpr (is_interval<T>) {
+            if constexpr (is_enclosure<Value>) {
                 const ChebyshevEnclosure& enclose = chebyshev_.at({now.index, now.second});
                 each([&](int l) { return enclose(a[l]); });
             } else {
@@ -305,6 +365,7 @@ ISOMOTION_WIDER void Evaluator<T>::run(const Bindings<T>& bindings) {
             assert(!"turned into a loop");
             break;
         }
+        if (is_paused) rounding.resume();
     }
 }
 
