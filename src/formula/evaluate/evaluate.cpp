@@ -56,22 +56,6 @@ template<class Value> struct Rounding {
 };
 template<> struct Rounding<Upward> : RoundingUpwards {};
 
-// Whether the error bounds of the operation's enclosures hold while the processor rounds to
-// nearest.
-constexpr bool is_of_nearest(Op op) {
-    switch (op) {
-#define ROW(name, ...) case Op::name:
-        ISOMOTION_FUNCTIONS(ROW)
-#undef ROW
-        return op != Op::abs;
-    case Op::power:
-    case Op::chebyshev:
-        return true;
-    default:
-        return false;
-    }
-}
-
 // Whether the function is a call for each point, which takes as long as dozens of products.
 template<class Value> constexpr bool is_called(Op op) {
     return is_enclosure<Value> && op != Op::abs && op != Op::sign && op != Op::sqrt &&
@@ -223,7 +207,8 @@ ISOMOTION_WIDER void Evaluator<T>::run(const Bindings<T>& bindings) {
     [[maybe_unused]] Rounding<Value> rounding;
     for (std::size_t at = 0; at < code.size(); ++at) {
         const Step& now = code[at];
-        if (now.kind == Instruction::Kind::loop_begin) {
+        const bool is_operation = now.kind == Instruction::Kind::operation; // most are
+        if (!is_operation && now.kind == Instruction::Kind::loop_begin) {
             if (bindings.arrays[std::size_t(now.index)].count > 0) {
                 loops_.push_back({at, now.index, 0});
                 continue;
@@ -235,7 +220,7 @@ ISOMOTION_WIDER void Evaluator<T>::run(const Bindings<T>& bindings) {
             }
             continue;
         }
-        if (now.kind == Instruction::Kind::loop_end) {
+        if (!is_operation && now.kind == Instruction::Kind::loop_end) {
             OpenLoop& loop = loops_.back();
             if (++loop.element < bindings.arrays[std::size_t(loop.array)].count) {
                 at = loop.begin;
@@ -245,8 +230,8 @@ ISOMOTION_WIDER void Evaluator<T>::run(const Bindings<T>& bindings) {
             continue;
         }
         const Lanes<Value> to = lanes<Count, Value>(now.result);
-        const Lanes<Value> a = lanes<Count, Value>(now.arity > 0 ? now.operands[0] : now.result);
-        const Lanes<Value> b = lanes<Count, Value>(now.arity > 1 ? now.operands[1] : now.result);
+        const Lanes<Value> a = lanes<Count, Value>(now.operands[0]);
+        const Lanes<Value> b = lanes<Count, Value>(now.operands[1]);
         const auto all = [&](Value value) {
             for (int lane = 0; lane < Count; ++lane) to.set(lane, value);
         };
@@ -255,6 +240,12 @@ ISOMOTION_WIDER void Evaluator<T>::run(const Bindings<T>& bindings) {
             ISOMOTION_LANES_APART
             for (int lane = 0; lane < Count; ++lane) to.set(lane, value(lane));
         };
+        // The error bounds of functions ask for the nearest double.
+        [[maybe_unused]] const auto nearest = [&](auto&& compute) {
+            rounding.pause();
+            compute();
+            rounding.resume();
+        };
         // Once for lanes next to each other with the same argument.
         [[maybe_unused]] const auto each_of_runs = [&](auto&& value) {
             for (int lane = 0; lane < Count; ++lane) {
@@ -262,14 +253,14 @@ ISOMOTION_WIDER void Evaluator<T>::run(const Bindings<T>& bindings) {
                 to.set(lane, is_known ? to[lane - 1] : value(lane));
             }
         };
-        if (now.kind == Instruction::Kind::begin) {
+        if (!is_operation && now.kind == Instruction::Kind::begin) {
             all(now.op == Op::least ? Do::least_of_none() : Value(0));
             if (!keeps_least(now.op)) continue;
             const Lanes<Value> least = lanes<Count, Value>(now.operands[2]);
             for (int lane = 0; lane < Count; ++lane) least.set(lane, Do::least_of_none());
             continue;
         }
-        if (now.kind == Instruction::Kind::accumulate) {
+        if (!is_operation) { // accumulates
             if (now.op == Op::sum) {
                 each([&](int l) { return Do::add(to[l], a[l]); });
             } else if (now.op == Op::least) { // what is no number is passed over
@@ -284,8 +275,6 @@ ISOMOTION_WIDER void Evaluator<T>::run(const Bindings<T>& bindings) {
             }
             continue;
         }
-        const bool is_paused = is_upward<Value> && is_of_nearest(now.op);
-        if (is_paused) rounding.pause();
         switch (now.op) {
         case Op::constant:
             all(constant<Value>(now.value));
@@ -308,10 +297,12 @@ ISOMOTION_WIDER void Evaluator<T>::run(const Bindings<T>& bindings) {
             break;
 #define ROW(name, ...)                                                                             \
     case Op::name:                                                                                 \
-        if constexpr (is_called<Value>(Op::name)) {                                                \
-            each_of_runs([&](int l) { return Do::name(a[l]); });                                   \
-        } else {                                                                                   \
+        if constexpr (Op::name == Op::abs) {                                                       \
             each([&](int l) { return Do::name(a[l]); });                                           \
+        } else if constexpr (is_called<Value>(Op::name)) {                                         \
+            nearest([&] { each_of_runs([&](int l) { return Do::name(a[l]); }); });                 \
+        } else {                                                                                   \
+            nearest([&] { each([&](int l) { return Do::name(a[l]); }); });                         \
         }                                                                                          \
         break;
             ISOMOTION_FUNCTIONS(ROW)
@@ -339,7 +330,7 @@ ISOMOTION_WIDER void Evaluator<T>::run(const Bindings<T>& bindings) {
             each([&](int l) { return Do::max(a[l], b[l]); });
             break;
         case Op::power:
-            each([&](int l) { return Do::power(a[l], b[l]); });
+            nearest([&] { each([&](int l) { return Do::power(a[l], b[l]); }); });
             break;
         case Op::random:
             each([&](int l) { return random(bindings.seed, a[l], b[l]); });
@@ -353,7 +344,7 @@ ISOMOTION_WIDER void Evaluator<T>::run(const Bindings<T>& bindings) {
         case Op::chebyshev:
             if constexpr (is_enclosure<Value>) {
                 const ChebyshevEnclosure& enclose = chebyshev_.at({now.index, now.second});
-                each([&](int l) { return enclose(a[l]); });
+                nearest([&] { each([&](int l) { return enclose(a[l]); }); });
             } else {
                 assert(!"lowered before scheduling");
             }
@@ -365,7 +356,6 @@ ISOMOTION_WIDER void Evaluator<T>::run(const Bindings<T>& bindings) {
             assert(!"turned into a loop");
             break;
         }
-        if (is_paused) rounding.resume();
     }
 }
 
