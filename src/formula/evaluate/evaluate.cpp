@@ -9,6 +9,8 @@
 #include "formula/evaluate/clones.h"
 #include "formula/graph/operations.h"
 #include "formula/interval/interval_operations.h"
+#include "formula/interval/rounding_upwards.h"
+#include "formula/interval/upward.h"
 
 // Loops over lanes for wider registers too; the values are the same, for nothing is contracted.
 // `flatten` puts all that a loop calls into each version: what stays a call is made for no
@@ -30,49 +32,72 @@ double random_unit(std::uint64_t seed, double i, double k) {
     return double(h >> 11) * 0x1p-53;
 }
 
+template<> struct Lanes<Upward> : LanesOfEnds<Upward> { using LanesOfEnds::LanesOfEnds; };
+
 namespace {
 
 template<class T> constexpr bool is_interval = std::is_same_v<T, Interval>;
+template<class Value> constexpr bool is_upward = std::is_same_v<Value, Upward>;
+template<class Value> constexpr bool is_enclosure = is_interval<Value> || is_upward<Value>;
+
+// What values of T are computed as.
+template<class T> struct ComputedAs { using Value = T; };
+#if ISOMOTION_MAY_ROUND_UPWARDS
+template<> struct ComputedAs<Interval> { using Value = Upward; };
+#endif
+template<class T> using Computed = typename ComputedAs<T>::Value;
+
+template<class Value> bool can_compute() { return !is_upward<Value> || can_round_upwards(); }
+
+// How the processor rounds while values are computed.
+template<class Value> struct Rounding {
+    void pause() {}
+    void resume() {}
+};
+template<> struct Rounding<Upward> : RoundingUpwards {};
 
 // Whether the function is a call for each point, which takes as long as dozens of products.
-template<class T> constexpr bool is_called(Op op) {
-    return is_interval<T> && op != Op::abs && op != Op::sign && op != Op::sqrt && op != Op::exp &&
-           op != Op::floor;
+template<class Value> constexpr bool is_called(Op op) {
+    return is_enclosure<Value> && op != Op::abs && op != Op::sign && op != Op::sqrt &&
+           op != Op::exp && op != Op::floor;
 }
 
 // As in a shader: folded in double, a constant may be more than a float holds.
-template<class T> T constant(double value) {
-    if constexpr (is_interval<T>) {
+template<class Value> Value constant(double value) {
+    if constexpr (is_enclosure<Value>) {
         return value;
     } else {
-        return T(std::clamp(value, double(std::numeric_limits<T>::lowest()),
-                            double(std::numeric_limits<T>::max())));
+        return Value(std::clamp(value, double(std::numeric_limits<Value>::lowest()),
+                                double(std::numeric_limits<Value>::max())));
     }
 }
 
-template<class T> T random(std::uint64_t seed, T i, T k) {
-    if constexpr (is_interval<T>) {
-        return is_point(i) && is_point(k) ? Interval(random_unit(seed, i.lo, k.lo))
-                                          : Interval(0, 1);
+template<class Value> Value random(std::uint64_t seed, Value i, Value k) {
+    if constexpr (is_enclosure<Value>) {
+        const Interval first = i, second = k;
+        return is_point(first) && is_point(second)
+                   ? Interval(random_unit(seed, first.lo, second.lo))
+                   : Interval(0, 1);
     } else {
-        return T(random_unit(seed, double(i), double(k)));
+        return Value(random_unit(seed, double(i), double(k)));
     }
 }
 
 // `each` sets the result at each point.
-template<class Each>
-[[gnu::always_inline]] inline void multiply(Product product, const Lanes<Interval>& a,
-                                            const Lanes<Interval>& b, const Each& each) {
-    using Do = Operations<Interval>;
+template<class Value, class Each>
+[[gnu::always_inline]] inline void multiply(Product product, const Lanes<Value>& a,
+                                            const Lanes<Value>& b, const Each& each) {
+    using Do = Operations<Value>;
     if (product == Product::by_uniform) {
-        const Interval factor = b[0];
-        if (is_point(factor) && factor.lo > 0)
-            return each([&](int l) { return times_positive(a[l], factor.lo); });
-        if (is_point(factor) && factor.lo < 0)
-            return each([&](int l) { return -times_positive(a[l], -factor.lo); });
-        if (factor.lo < 0 && factor.hi <= 0)
+        const Value factor = b[0];
+        const Interval ends = factor;
+        if (is_point(ends) && ends.lo > 0)
+            return each([&](int l) { return times_positive(a[l], ends.lo); });
+        if (is_point(ends) && ends.lo < 0)
+            return each([&](int l) { return -times_positive(a[l], -ends.lo); });
+        if (ends.lo < 0 && ends.hi <= 0)
             return each([&](int l) { return -times_not_negative(a[l], -factor); });
-        if (factor.lo >= 0 && factor.hi > 0) product = Product::by_not_negative;
+        if (ends.lo >= 0 && ends.hi > 0) product = Product::by_not_negative;
     }
     switch (product) {
     case Product::square:
@@ -102,56 +127,71 @@ Evaluator<T>::Evaluator(const Program& program)
     loops_.reserve(plan_.deepest);
 }
 
-template<class T> template<int Count> Lanes<T> Evaluator<T>::lanes(Register r) {
-    return {registers_.data() + std::size_t(r) * Lanes<T>::parts * Count, Count};
+template<class T> template<int Count, class Value> Lanes<Value> Evaluator<T>::lanes(Register r) {
+    return {registers_.data() + std::size_t(r) * Lanes<Value>::parts * Count, Count};
 }
 
 template<class T>
 void Evaluator<T>::point(const Bindings<T>& bindings, std::span<const T> inputs,
                          std::span<T> outputs) {
-    for (std::size_t k = 0; k < plan_.inputs.size(); ++k) {
-        if (plan_.inputs[k] >= 0) lanes<1>(plan_.inputs[k]).set(0, inputs[k]);
+    if (can_compute<Computed<T>>()) {
+        one<Computed<T>>(bindings, inputs, outputs);
+    } else {
+        one<T>(bindings, inputs, outputs);
     }
-    run<1>(bindings);
+}
+
+template<class T>
+template<class Value>
+void Evaluator<T>::one(const Bindings<T>& bindings, std::span<const T> inputs,
+                       std::span<T> outputs) {
+    for (std::size_t k = 0; k < plan_.inputs.size(); ++k) {
+        if (plan_.inputs[k] >= 0) lanes<1, Value>(plan_.inputs[k]).set(0, inputs[k]);
+    }
+    run<1, Value>(bindings);
     for (std::size_t o = 0; o < outputs.size(); ++o) {
-        outputs[o] = lanes<1>(plan_.outputs[o])[0];
+        outputs[o] = lanes<1, Value>(plan_.outputs[o])[0];
     }
 }
 
 template<class T>
 void Evaluator<T>::points(const Bindings<T>& bindings, std::span<const std::span<const T>> inputs,
                           std::span<const std::span<T>> outputs) {
+    using Value = Computed<T>;
     const std::size_t total = inputs.empty() ? 0 : inputs[0].size();
-    for (std::size_t first = 0; first < total; first += block) {
+    const bool are_alone = !can_compute<Value>();
+    for (std::size_t first = 0; are_alone && first < total; ++first)
+        together<1, T>(bindings, inputs, outputs, first, 1);
+    for (std::size_t first = 0; !are_alone && first < total; first += block) {
         const std::size_t count = std::min<std::size_t>(block, total - first);
         if (count == 1) {
-            together<1>(bindings, inputs, outputs, first, count);
+            together<1, Value>(bindings, inputs, outputs, first, count);
         } else if (count <= few) {
-            together<few>(bindings, inputs, outputs, first, count);
+            together<few, Value>(bindings, inputs, outputs, first, count);
         } else if (count <= half) {
-            together<half>(bindings, inputs, outputs, first, count);
+            together<half, Value>(bindings, inputs, outputs, first, count);
         } else {
-            together<block>(bindings, inputs, outputs, first, count);
+            together<block, Value>(bindings, inputs, outputs, first, count);
         }
     }
 }
 
 template<class T>
-template<int Count>
+template<int Count, class Value>
 void Evaluator<T>::together(const Bindings<T>& bindings, std::span<const std::span<const T>> inputs,
                             std::span<const std::span<T>> outputs, std::size_t first,
                             std::size_t count) {
     for (std::size_t k = 0; k < plan_.inputs.size(); ++k) {
         if (plan_.inputs[k] < 0) continue;
-        const Lanes<T> to = lanes<Count>(plan_.inputs[k]);
+        const Lanes<Value> to = lanes<Count, Value>(plan_.inputs[k]);
         const std::span<const T> from = inputs[k].subspan(first, count);
         for (std::size_t lane = 0; lane < count; ++lane) to.set(int(lane), from[lane]);
         // Lanes past the end repeat the last point: no branch inside, nothing undefined.
         for (std::size_t lane = count; lane < Count; ++lane) to.set(int(lane), from[count - 1]);
     }
-    run<Count>(bindings);
+    run<Count, Value>(bindings);
     for (std::size_t o = 0; o < outputs.size(); ++o) {
-        const Lanes<T> from = lanes<Count>(plan_.outputs[o]);
+        const Lanes<Value> from = lanes<Count, Value>(plan_.outputs[o]);
         for (std::size_t lane = 0; lane < count; ++lane) {
             outputs[o][first + lane] = from[int(lane)];
         }
@@ -159,14 +199,16 @@ void Evaluator<T>::together(const Bindings<T>& bindings, std::span<const std::sp
 }
 
 template<class T>
-template<int Count>
+template<int Count, class Value>
 ISOMOTION_WIDER void Evaluator<T>::run(const Bindings<T>& bindings) {
-    using Do = Operations<T>;
+    using Do = Operations<Value>;
     const auto& code = plan_.steps;
     loops_.clear();
+    [[maybe_unused]] Rounding<Value> rounding;
     for (std::size_t at = 0; at < code.size(); ++at) {
         const Step& now = code[at];
-        if (now.kind == Instruction::Kind::loop_begin) {
+        const bool is_operation = now.kind == Instruction::Kind::operation; // most are
+        if (!is_operation && now.kind == Instruction::Kind::loop_begin) {
             if (bindings.arrays[std::size_t(now.index)].count > 0) {
                 loops_.push_back({at, now.index, 0});
                 continue;
@@ -178,7 +220,7 @@ ISOMOTION_WIDER void Evaluator<T>::run(const Bindings<T>& bindings) {
             }
             continue;
         }
-        if (now.kind == Instruction::Kind::loop_end) {
+        if (!is_operation && now.kind == Instruction::Kind::loop_end) {
             OpenLoop& loop = loops_.back();
             if (++loop.element < bindings.arrays[std::size_t(loop.array)].count) {
                 at = loop.begin;
@@ -187,16 +229,22 @@ ISOMOTION_WIDER void Evaluator<T>::run(const Bindings<T>& bindings) {
             }
             continue;
         }
-        const Lanes<T> to = lanes<Count>(now.result);
-        const Lanes<T> a = lanes<Count>(now.arity > 0 ? now.operands[0] : now.result);
-        const Lanes<T> b = lanes<Count>(now.arity > 1 ? now.operands[1] : now.result);
-        const auto all = [&](T value) {
+        const Lanes<Value> to = lanes<Count, Value>(now.result);
+        const Lanes<Value> a = lanes<Count, Value>(now.operands[0]);
+        const Lanes<Value> b = lanes<Count, Value>(now.operands[1]);
+        const auto all = [&](Value value) {
             for (int lane = 0; lane < Count; ++lane) to.set(lane, value);
         };
         const auto each = [&](auto&& value) {
             if (Count > 1 && now.is_uniform) return all(value(0));
             ISOMOTION_LANES_APART
             for (int lane = 0; lane < Count; ++lane) to.set(lane, value(lane));
+        };
+        // The error bounds of functions ask for the nearest double.
+        [[maybe_unused]] const auto nearest = [&](auto&& compute) {
+            rounding.pause();
+            compute();
+            rounding.resume();
         };
         // Once for lanes next to each other with the same argument.
         [[maybe_unused]] const auto each_of_runs = [&](auto&& value) {
@@ -205,21 +253,21 @@ ISOMOTION_WIDER void Evaluator<T>::run(const Bindings<T>& bindings) {
                 to.set(lane, is_known ? to[lane - 1] : value(lane));
             }
         };
-        if (now.kind == Instruction::Kind::begin) {
-            all(now.op == Op::least ? Do::least_of_none() : T(0));
+        if (!is_operation && now.kind == Instruction::Kind::begin) {
+            all(now.op == Op::least ? Do::least_of_none() : Value(0));
             if (!keeps_least(now.op)) continue;
-            const Lanes<T> least = lanes<Count>(now.operands[2]);
+            const Lanes<Value> least = lanes<Count, Value>(now.operands[2]);
             for (int lane = 0; lane < Count; ++lane) least.set(lane, Do::least_of_none());
             continue;
         }
-        if (now.kind == Instruction::Kind::accumulate) {
+        if (!is_operation) { // accumulates
             if (now.op == Op::sum) {
                 each([&](int l) { return Do::add(to[l], a[l]); });
             } else if (now.op == Op::least) { // what is no number is passed over
                 each([&](int l) { return Do::min(a[l], to[l]); });
             } else {
-                const Lanes<T> least = lanes<Count>(now.operands[2]);
-                const T number = T(loops_.back().element + 1);
+                const Lanes<Value> least = lanes<Count, Value>(now.operands[2]);
+                const Value number = Value(loops_.back().element + 1);
                 each([&](int l) {
                     return Do::select(a[l], least[l], now.op == Op::pick ? b[l] : number, to[l]);
                 });
@@ -229,7 +277,7 @@ ISOMOTION_WIDER void Evaluator<T>::run(const Bindings<T>& bindings) {
         }
         switch (now.op) {
         case Op::constant:
-            all(constant<T>(now.value));
+            all(constant<Value>(now.value));
             break;
         case Op::input:
             assert(!"put into its register before");
@@ -249,10 +297,12 @@ ISOMOTION_WIDER void Evaluator<T>::run(const Bindings<T>& bindings) {
             break;
 #define ROW(name, ...)                                                                             \
     case Op::name:                                                                                 \
-        if constexpr (is_called<T>(Op::name)) {                                                    \
-            each_of_runs([&](int l) { return Do::name(a[l]); });                                   \
-        } else {                                                                                   \
+        if constexpr (Op::name == Op::abs) {                                                       \
             each([&](int l) { return Do::name(a[l]); });                                           \
+        } else if constexpr (is_called<Value>(Op::name)) {                                         \
+            nearest([&] { each_of_runs([&](int l) { return Do::name(a[l]); }); });                 \
+        } else {                                                                                   \
+            nearest([&] { each([&](int l) { return Do::name(a[l]); }); });                         \
         }                                                                                          \
         break;
             ISOMOTION_FUNCTIONS(ROW)
@@ -264,7 +314,7 @@ ISOMOTION_WIDER void Evaluator<T>::run(const Bindings<T>& bindings) {
             each([&](int l) { return Do::subtract(a[l], b[l]); });
             break;
         case Op::multiply:
-            if constexpr (is_interval<T>) {
+            if constexpr (is_enclosure<Value>) {
                 multiply(now.product, a, b, each);
             } else {
                 each([&](int l) { return a[l] * b[l]; });
@@ -280,20 +330,21 @@ ISOMOTION_WIDER void Evaluator<T>::run(const Bindings<T>& bindings) {
             each([&](int l) { return Do::max(a[l], b[l]); });
             break;
         case Op::power:
-            each([&](int l) { return Do::power(a[l], b[l]); });
+            nearest([&] { each([&](int l) { return Do::power(a[l], b[l]); }); });
             break;
         case Op::random:
             each([&](int l) { return random(bindings.seed, a[l], b[l]); });
             break;
         case Op::select: {
-            const Lanes<T> c = lanes<Count>(now.operands[2]), d = lanes<Count>(now.operands[3]);
+            const Lanes<Value> c = lanes<Count, Value>(now.operands[2]),
+                               d = lanes<Count, Value>(now.operands[3]);
             each([&](int l) { return Do::select(a[l], b[l], c[l], d[l]); });
             break;
         }
         case Op::chebyshev:
-            if constexpr (is_interval<T>) {
+            if constexpr (is_enclosure<Value>) {
                 const ChebyshevEnclosure& enclose = chebyshev_.at({now.index, now.second});
-                each([&](int l) { return enclose(a[l]); });
+                nearest([&] { each([&](int l) { return enclose(a[l]); }); });
             } else {
                 assert(!"lowered before scheduling");
             }

@@ -68,12 +68,15 @@ public:
                 std::span<const std::span<T>> outputs);
 
 private:
+    // Values of T are computed as Values.
+    template<class Value>
+    void one(const Bindings<T>& bindings, std::span<const T> inputs, std::span<T> outputs);
     // `count` points from `first` on; count is at most Count.
-    template<int Count>
+    template<int Count, class Value>
     void together(const Bindings<T>& bindings, std::span<const std::span<const T>> inputs,
                   std::span<const std::span<T>> outputs, std::size_t first, std::size_t count);
-    template<int Count> void run(const Bindings<T>& bindings);
-    template<int Count> Lanes<T> lanes(Register r);
+    template<int Count, class Value> void run(const Bindings<T>& bindings);
+    template<int Count, class Value> Lanes<Value> lanes(Register r);
 
     Plan plan_;
     Registers<typename Lanes<T>::Part> registers_;                // [register][part][lane]

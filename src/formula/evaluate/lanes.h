@@ -40,20 +40,23 @@ template<class T> struct Lanes {
     void set(int lane, T value) const { first[lane] = value; }
 };
 
-template<> struct Lanes<Interval> {
+// Both ends of Enclosure, in the order of its members.
+template<class Enclosure> struct LanesOfEnds {
     using Part = double;
     static constexpr int parts = 2;
 
     Part *low, *high;
 
-    Lanes(Part* memory, int lanes)
+    LanesOfEnds(Part* memory, int lanes)
         : low(memory)
         , high(memory + lanes) {}
-    Interval operator[](int lane) const { return {low[lane], high[lane]}; }
-    void set(int lane, Interval value) const {
-        low[lane] = value.lo;
-        high[lane] = value.hi;
+    Enclosure operator[](int lane) const { return {low[lane], high[lane]}; }
+    void set(int lane, Enclosure value) const {
+        const auto [a, b] = value;
+        low[lane] = a;
+        high[lane] = b;
     }
 };
+template<> struct Lanes<Interval> : LanesOfEnds<Interval> { using LanesOfEnds::LanesOfEnds; };
 
 } // namespace isomotion::formula

@@ -202,6 +202,8 @@ Plan plan(const Program& program, bool enclosures) {
             }
             const std::size_t read = step.kind == Kind::begin ? 0 : step.arity;
             for (std::size_t k = 0; k < read; ++k) step.operands[k] = places.of(step.operands[k]);
+            // Nobody reads the others, and everybody computes where they are.
+            for (std::size_t k = read; k < 2; ++k) step.operands[k] = 0;
             if (has_result && step.kind != Kind::operation && keeps_least(step.op))
                 step.operands[2] = places.of(step.operands[2]);
             if (has_result) step.result = places.of(step.result);

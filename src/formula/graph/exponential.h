@@ -30,18 +30,23 @@ inline double exponential(double x) {
     const double shifted = x * log2_e + to_integer;
     const double n = shifted - to_integer;
     const double r = (x - n * high) - n * low;
-    double s = 1.0 / 6227020800;
-    s = s * r + 1.0 / 479001600;
-    s = s * r + 1.0 / 39916800;
-    s = s * r + 1.0 / 3628800;
-    s = s * r + 1.0 / 362880;
-    s = s * r + 1.0 / 40320;
-    s = s * r + 1.0 / 5040;
-    s = s * r + 1.0 / 720;
-    s = s * r + 1.0 / 120;
-    s = s * r + 1.0 / 24;
-    s = s * r + 1.0 / 6;
-    s = s * r + 1.0 / 2;
+    // Constants also where the compiler leaves rounding to the processor.
+    constexpr double of_13 = 1.0 / 6227020800, of_12 = 1.0 / 479001600, of_11 = 1.0 / 39916800,
+                     of_10 = 1.0 / 3628800, of_9 = 1.0 / 362880, of_8 = 1.0 / 40320,
+                     of_7 = 1.0 / 5040, of_6 = 1.0 / 720, of_5 = 1.0 / 120, of_4 = 1.0 / 24,
+                     of_3 = 1.0 / 6, of_2 = 1.0 / 2;
+    double s = of_13;
+    s = s * r + of_12;
+    s = s * r + of_11;
+    s = s * r + of_10;
+    s = s * r + of_9;
+    s = s * r + of_8;
+    s = s * r + of_7;
+    s = s * r + of_6;
+    s = s * r + of_5;
+    s = s * r + of_4;
+    s = s * r + of_3;
+    s = s * r + of_2;
     s = s * r + 1.0;
     s = s * r + 1.0;
     const auto bits = std::bit_cast<std::uint64_t>(shifted) << 52;

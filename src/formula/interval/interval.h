@@ -7,7 +7,8 @@
 //
 // An operation returns an interval that contains its value for all members of the arguments. An
 // operation that has no value somewhere (0/0) returns the entire line. The code needs doubles that
-// round to nearest and keep subnormal numbers; it never switches the rounding mode.
+// round to nearest and keep subnormal numbers. upward.h computes the same while the processor
+// rounds upwards.
 #pragma once
 
 #include <cfloat>

@@ -12,6 +12,9 @@ namespace {
 
 using formula::Interval;
 
+// So near to the limit of Newton's method the root is sought first: a part of the domain.
+constexpr double little_part = 1e-9;
+
 // The limit of Newton's method, or where it is after some steps. Empty if it leaves: the root that
 // it may find is not this box's.
 std::optional<Point> limit(const Box& domain, Numbers& numbers, const Box& box, std::size_t n) {
@@ -40,11 +43,14 @@ std::optional<CriticalPoint> isolate(const MovingField& field, Enclosures& enclo
     const auto n = std::size_t(field.variables());
     const auto x = limit(field.domain(), numbers, box, n);
     if (!x) return std::nullopt;
-    Box alone{};
+    Box alone{}, about{};
     for (std::size_t k = 0; k < n; ++k) {
         const double margin = 0.1 * (box[k].hi - box[k].lo) +
                               1e-13 * std::max(std::abs((*x)[k]), magnitude(field.domain()[k]));
         alone[k] = {std::min(box[k].lo, (*x)[k]) - margin, std::max(box[k].hi, (*x)[k]) + margin};
+        const double whole = field.domain()[k].hi - field.domain()[k].lo;
+        const double little = std::min(margin / 2, little_part * whole);
+        about[k] = {(*x)[k] - little, (*x)[k] + little};
     }
     std::vector<Jet<Interval>> jets;
     const auto contract = [&](const Box& in) -> std::optional<Krawczyk> {
@@ -60,6 +66,9 @@ std::optional<CriticalPoint> isolate(const MovingField& field, Enclosures& enclo
     const auto first = contract(alone);
     if (!first || !first->is_inside) return std::nullopt;
     CriticalPoint point{first->image, alone, {}};
+    // A wide box shrinks slowly. A box within it that holds a root, too, holds the same one.
+    if (const auto narrow = contract(about); narrow && narrow->is_inside)
+        point.where = narrow->image;
     // A wide box may shrink slowly at first.
     constexpr double narrow = 1e-9, while_narrow = 0.8, while_wide = 0.99;
     for (int k = 0; k < 100; ++k) {

@@ -33,6 +33,8 @@ constexpr std::int64_t hessians_to_judge = 16;
 // A root is sought in boxes smaller than this part of the domain, whatever Krawczyk's operator
 // says.
 constexpr double smallest_without_doubt = 1e-3;
+// Boxes up to so many times the smallest are among the smallest.
+constexpr double among_smallest = 16;
 // A box that shrinks to less than this part of itself is not divided.
 constexpr double worth_narrowing = 0.6;
 // With more unresolved boxes than this in a task the smallest box grows: a curve of them.
@@ -332,7 +334,7 @@ private:
             const Krawczyk k = krawczyk(box, m, at_middle, slopes, *y, int(n_));
             if (k.is_empty) return found_.work.count(Test::krawczyk);
             const bool may_be_alone = k.contraction < 1 && holds_middle(box, k);
-            if (k.is_inside || may_be_alone || spatial_size(box) < smallest_without_doubt) {
+            if (k.is_inside || may_be_alone || is_small_about_root(box, k)) {
                 if (const auto point = isolate(field_, enclosures_, numbers_, box)) {
                     found_.points.push_back(*point);
                     return found_.work.count(Test::isolated);
@@ -377,6 +379,20 @@ private:
     bool holds_middle(const Box& box, const Krawczyk& k) const {
         for (std::size_t i = 0; i < n_; ++i) {
             if (!contains(box[i], mid(k.image[i]))) return false;
+        }
+        return true;
+    }
+
+    // Whether the box is so small that a root is sought in it whatever else the image tells. While
+    // it isn't among the smallest, its image is to have its middle in it, or beside it by less than
+    // half of a side: a root on a face is between two boxes.
+    bool is_small_about_root(const Box& box, const Krawczyk& k) const {
+        const double size = spatial_size(box);
+        if (!(size < smallest_without_doubt)) return false;
+        if (size < among_smallest * smallest_) return true;
+        for (std::size_t i = 0; i < n_; ++i) {
+            const double beside = 0.5 * (box[i].hi - box[i].lo), at = mid(k.image[i]);
+            if (at < box[i].lo - beside || at > box[i].hi + beside) return false;
         }
         return true;
     }
