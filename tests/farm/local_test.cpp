@@ -30,7 +30,7 @@ protected:
     }
     // Frames that take long enough for something to happen between them.
     static Words slow(Words more = {}) {
-        more.insert(more.end(), {"--size", "256x256", "--set", "output.samples=30"});
+        more.insert(more.end(), {"--size", "160x160", "--set", "output.samples=30"});
         return more;
     }
     void expect_same_files(const std::string& one, const std::string& other) const {
