@@ -1,6 +1,7 @@
 #include "farm/local.h"
 
 #include <algorithm>
+#include <csignal>
 #include <deque>
 #include <memory>
 #include <thread>
@@ -18,7 +19,7 @@ namespace fs = std::filesystem;
 using Words = std::vector<std::string>;
 
 constexpr std::chrono::milliseconds glance{10};
-constexpr int code_of_usage = 2, code_of_machine = 3; // the program's exit codes
+constexpr int code_of_usage = 2, code_of_machine = 3, code_of_stopping = 130; // the program's own
 
 struct Task {
     std::size_t chunk;
@@ -79,7 +80,10 @@ public:
             std::this_thread::sleep_for(glance);
         }
         for (const auto& worker : working_) worker->process.terminate();
-        for (const auto& worker : working_) worker->process.wait();
+        for (const auto& worker : working_) {
+            worker->process.wait();
+            if (!is_stopped(*worker)) tell_of_end(*worker, "asked to stop");
+        }
         ending_.stopped = true;
         return ending_;
     }
@@ -111,13 +115,8 @@ private:
         const base::ChildProcess& process = worker.process;
         const int code = process.exit_status().value_or(code_of_machine);
         const bool last = worker.task.attempt >= workforce_.tries || code == code_of_usage;
-        std::string text =
-            fmt::format("frames {}: render ended with {}, try {} of {}{}",
-                        animation::frame_range(chunks_[worker.task.chunk]), process.ending(),
-                        worker.task.attempt, workforce_.tries, last ? ": given up" : "");
-        const std::string words = process.last_words(6);
-        if (!words.empty()) text += ":\n" + words;
-        watcher_.tell(text);
+        tell_of_end(worker, fmt::format("try {} of {}{}", worker.task.attempt, workforce_.tries,
+                                        last ? ": given up" : ""));
         if (!last) {
             waiting_.push_back({worker.task.chunk, worker.task.attempt + 1});
             ++ending_.tried_again;
@@ -126,6 +125,26 @@ private:
         ++ending_.failed;
         ending_.code = code;
         if (code == code_of_usage) waiting_.clear();
+    }
+
+    void tell_of_end(const Worker& worker, const std::string& when) {
+        std::string text = fmt::format("frames {}: render ended with {}, {}",
+                                       animation::frame_range(chunks_[worker.task.chunk]),
+                                       worker.process.ending(), when);
+        const std::string words = worker.process.last_words(6);
+        if (!words.empty()) text += ":\n" + words;
+        watcher_.tell(text);
+    }
+
+    // SIGTERM ends a process that has not begun, or is done; between frames it would leave one
+    // half.
+    bool is_stopped(Worker& worker) {
+        if (const auto code = worker.process.exit_status()) {
+            return *code == 0 || *code == code_of_stopping;
+        }
+        const int written = worker.written(name_);
+        const bool is_between = 0 < written && written < int(chunks_[worker.task.chunk].size());
+        return !is_between && worker.process.ending() == fmt::format("signal {}", SIGTERM);
     }
 
     int frames_done() {

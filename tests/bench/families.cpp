@@ -14,10 +14,9 @@
 #include <filesystem>
 #include <fstream>
 #include <map>
-#include <optional>
+#include <stdexcept>
 #include <vector>
 
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
 #include "scene/reading/load.h"
@@ -25,6 +24,7 @@
 #include "topology/families.h"
 #include "topology/timeline/compare.h"
 #include "topology/timeline/timeline_file.h"
+#include "words.h"
 
 namespace isomotion::topology {
 namespace {
@@ -33,12 +33,14 @@ struct Span {
     int first = 0, last = 0;
 };
 
-std::optional<Span> parse_span(const std::string& text) {
+Span parse_span(const std::string& text) {
     Span span;
     char end = 0;
     const int read = std::sscanf(text.c_str(), "%d-%d%c", &span.first, &span.last, &end);
     if (read == 1) span.last = span.first;
-    if ((read != 1 && read != 2) || span.first < 1 || span.last < span.first) return {};
+    if ((read != 1 && read != 2) || span.first < 1 || span.last < span.first) {
+        throw std::invalid_argument(text + ": write 7 or 1-40, from 1 on");
+    }
     return span;
 }
 
@@ -172,33 +174,27 @@ int run(const Arguments& arguments) {
 } // namespace
 } // namespace isomotion::topology
 
-int main(int count, char** words) {
+int main(int argc, char** argv) {
     using namespace isomotion::topology;
     setenv("ISOMOTION_DATA", ISOMOTION_SOURCE_DIR, /*overwrite=*/1);
     Arguments arguments;
-    CLI::App app("What timelines of random families of motions cost");
-    const auto span = [](const std::string& text) {
-        const auto read = parse_span(text);
-        if (!read) throw CLI::ValidationError(text, "write 7 or 1-40, from 1 on");
-        return *read;
-    };
-    app.add_option_function<std::vector<std::string>>(
-           "--seeds",
-           [&](const std::vector<std::string>& texts) {
-               arguments.seeds.clear();
-               for (const std::string& text : texts) arguments.seeds.push_back(span(text));
-           },
-           "families to draw")
-        ->delimiter(',');
-    app.add_option_function<std::string>(
-        "--elements", [&](const std::string& text) { arguments.elements = span(text); },
-        "elements of each, from the fewest to the most");
-    app.add_option("--limit", arguments.limit, "seconds of the processor's time for each");
-    app.add_option("--threads", arguments.threads);
-    app.add_option("-o", arguments.folder, "where scenes and timelines are kept")
-        ->check(CLI::ExistingDirectory);
-    app.add_option("--against", arguments.against, "timelines to compare with")
-        ->check(CLI::ExistingDirectory);
-    CLI11_PARSE(app, count, words);
+    std::vector<std::string> seeds;
+    std::string elements;
+    isomotion::bench::Words words("What timelines of random families of motions cost");
+    words.texts("--seeds", seeds, "families to draw");
+    words.text("--elements", elements, "elements of each, from the fewest to the most");
+    words.number("--limit", arguments.limit, "seconds of the processor's time for each");
+    words.number("--threads", arguments.threads, "of each family");
+    words.folder("-o", arguments.folder, "where scenes and timelines are kept");
+    words.folder("--against", arguments.against, "timelines to compare with");
+    if (const auto code = words.read(argc, argv)) return *code;
+    try {
+        if (!seeds.empty()) arguments.seeds.clear();
+        for (const std::string& text : seeds) arguments.seeds.push_back(parse_span(text));
+        if (!elements.empty()) arguments.elements = parse_span(elements);
+    } catch (const std::invalid_argument& error) {
+        fmt::print(stderr, "{}\n", error.what());
+        return 1;
+    }
     return run(arguments);
 }

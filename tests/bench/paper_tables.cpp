@@ -20,7 +20,6 @@
 #include <string>
 #include <vector>
 
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 #include <toml++/toml.h>
 #include <unistd.h>
@@ -29,6 +28,7 @@
 #include "render/renderer.h"
 #include "scene/data_folder.h"
 #include "scene/reading/load.h"
+#include "words.h"
 
 namespace {
 
@@ -229,13 +229,12 @@ private:
 
 int main(int argc, char** argv) {
     Arguments arguments;
-    CLI::App app("measures the paper's tables again");
-    app.add_option("-o,--output", arguments.folder, "folder for the two tables");
-    app.add_option("--backend", arguments.backend, "auto, egl or osmesa");
-    app.add_option("--repeat", arguments.repeat, "frames a median is taken of")
-        ->check(CLI::Range(1, 1000));
-    app.add_option("--only", arguments.only, "surfaces, instead of all");
-    CLI11_PARSE(app, argc, argv);
+    isomotion::bench::Words words("measures the paper's tables again");
+    words.text("-o,--output", arguments.folder, "folder for the two tables");
+    words.text("--backend", arguments.backend, "auto, egl or osmesa");
+    words.number("--repeat", arguments.repeat, "frames a median is taken of", {1, 1000});
+    words.texts("--only", arguments.only, "surfaces, instead of all");
+    if (const auto code = words.read(argc, argv)) return *code;
     try {
         Tables(arguments).write();
     } catch (const std::exception& error) {

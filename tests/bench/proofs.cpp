@@ -10,13 +10,13 @@
 #include <cmath>
 #include <ctime>
 
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
 #include "accuracy/truth_cache.h"
 #include "machine.h"
 #include "methods/contest.h"
 #include "scene/data_folder.h"
+#include "words.h"
 
 namespace isomotion::bench {
 namespace {
@@ -132,14 +132,13 @@ void run(const Arguments& arguments) {
 
 int main(int argc, char** argv) {
     isomotion::bench::Arguments arguments;
-    CLI::App app("what proofs take, and how much they prove");
-    app.add_option("--only", arguments.only, "surfaces a,b (default: all)")->delimiter(',');
-    app.add_option("--size", arguments.size, "pixels a side")->check(CLI::Range(8, 4096));
-    app.add_option("--repeat", arguments.repeat, "frames a median is taken of")
-        ->check(CLI::Range(1, 1000));
-    app.add_option("--backend", arguments.backend, "auto, egl or osmesa");
-    app.add_flag("--processor", arguments.processor, "the processor's time, without truth");
-    CLI11_PARSE(app, argc, argv);
+    isomotion::bench::Words words("what proofs take, and how much they prove");
+    words.texts("--only", arguments.only, "surfaces a,b (default: all)");
+    words.number("--size", arguments.size, "pixels a side", {8, 4096});
+    words.number("--repeat", arguments.repeat, "frames a median is taken of", {1, 1000});
+    words.text("--backend", arguments.backend, "auto, egl or osmesa");
+    words.flag("--processor", arguments.processor, "the processor's time, without truth");
+    if (const auto code = words.read(argc, argv)) return *code;
     try {
         isomotion::bench::run(arguments);
     } catch (const std::exception& error) {

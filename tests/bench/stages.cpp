@@ -17,7 +17,6 @@
 #include <memory>
 #include <sstream>
 
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
 #include "accuracy/truth_cache.h"
@@ -25,6 +24,7 @@
 #include "methods/contest.h"
 #include "methods/peak.h"
 #include "synthesis/assemble.h"
+#include "words.h"
 
 namespace isomotion::bench {
 namespace {
@@ -250,25 +250,23 @@ void run(const Arguments& arguments) {
 
 int main(int argc, char** argv) {
     isomotion::bench::Arguments arguments;
-    CLI::App app("times methods in fragment and compute shaders by the graphics card's clock");
-    app.add_option("-o,--output", arguments.output, "CSV file");
-    app.add_option("--only", arguments.only, "surfaces a,b (default: all of Table I; '' for none)");
-    app.add_option("--animations", arguments.animations, "a,b ('' for none), frame 49");
-    app.add_option("--blobs", arguments.blobs, "numbers of blobs");
-    app.add_option("--methods", arguments.methods, "a,b");
-    app.add_option("--stages", arguments.stages, "fragment,compute");
-    app.add_option("--size", arguments.size, "pixels a side of timed pictures, a multiple of 64");
-    app.add_option("--count-size", arguments.count_size, "of those with counted wrong pixels");
-    app.add_option("--rounds", arguments.rounds, "pictures a median is taken of")
-        ->check(CLI::Range(1, 1000));
-    app.add_option("--halvings", arguments.halvings, "of the sign test's step, at most")
-        ->check(CLI::Range(0, 12));
-    app.add_flag("--one-draw", arguments.one_draw, "one tile, as many evaluations as rays need");
-    app.add_option("--beams", arguments.beams,
-                   "for all methods, or for none (default: by method and stage)")
-        ->check(CLI::IsMember({"on", "off"}));
-    app.add_option("--backend", arguments.backend, "auto, egl or osmesa");
-    CLI11_PARSE(app, argc, argv);
+    isomotion::bench::Words words(
+        "times methods in fragment and compute shaders by the graphics card's clock");
+    words.text("-o,--output", arguments.output, "CSV file");
+    words.text("--only", arguments.only, "surfaces a,b (default: all of Table I; '' for none)");
+    words.text("--animations", arguments.animations, "a,b ('' for none), frame 49");
+    words.text("--blobs", arguments.blobs, "numbers of blobs");
+    words.text("--methods", arguments.methods, "a,b");
+    words.text("--stages", arguments.stages, "fragment,compute");
+    words.number("--size", arguments.size, "pixels a side of timed pictures, a multiple of 64");
+    words.number("--count-size", arguments.count_size, "of those with counted wrong pixels");
+    words.number("--rounds", arguments.rounds, "pictures a median is taken of", {1, 1000});
+    words.number("--halvings", arguments.halvings, "of the sign test's step, at most", {0, 12});
+    words.flag("--one-draw", arguments.one_draw, "one tile, as many evaluations as rays need");
+    words.one_of({"on", "off"}, "--beams", arguments.beams,
+                 "for all methods, or for none (default: by method and stage)");
+    words.text("--backend", arguments.backend, "auto, egl or osmesa");
+    if (const auto code = words.read(argc, argv)) return *code;
     try {
         isomotion::bench::run(arguments);
     } catch (const std::exception& error) {

@@ -30,7 +30,7 @@ protected:
     }
     // Frames that take long enough for something to happen between them.
     static Words slow(Words more = {}) {
-        more.insert(more.end(), {"--size", "256x256", "--set", "output.samples=30"});
+        more.insert(more.end(), {"--size", "160x160", "--set", "output.samples=30"});
         return more;
     }
     void expect_same_files(const std::string& one, const std::string& other) const {
@@ -151,6 +151,7 @@ TEST_P(Ended, ASignalEndsTheWorkersToo) {
     const cli::Ending ending = run(many, circumstances);
     EXPECT_EQ(ending.code, 130) << ending;
     EXPECT_THAT(ending.err, HasSubstr("--resume"));
+    EXPECT_THAT(ending.err, Not(HasSubstr("asked to stop")));
     EXPECT_FALSE(works());
     EXPECT_LT(frames_in("many"), 18u);
     expect_only_whole_files();
@@ -196,7 +197,9 @@ TEST_F(Local, AWrongCommandStartsNothing) {
 // Programs in isomotion's place.
 class LocalEnding : public Local {
 protected:
-    Ending ending_of(const std::string& script, int chunks, const Workforce& workforce) {
+    Ending ending_of(
+        const std::string& script, int chunks, const Workforce& workforce,
+        std::function<bool()> stop = [] { return false; }) {
         write("worker", "#!/bin/sh\n" + script);
         fs::permissions(*this / "worker", fs::perms::owner_all);
         Job job;
@@ -205,6 +208,7 @@ protected:
         job.scene = *this / "sphere.toml";
         job.output = *this / "a.####.png";
         Watcher watcher;
+        watcher.stop = std::move(stop);
         watcher.tell = [this](const std::string& text) { told_ += text + '\n'; };
         const std::vector<Chunk> all(std::size_t(chunks), Chunk{1, 2});
         return render_locally(job, all, workforce, watcher);
@@ -246,6 +250,26 @@ TEST_F(LocalEnding, AnEndBySignalIsTheMachines) {
     const Ending ending = ending_of("kill -9 $$", 1, {.workers = 1, .tries = 2});
     EXPECT_EQ(ending.code, 3);
     EXPECT_EQ(ending.tried_again, 1);
+}
+
+TEST_F(LocalEnding, AWorkerThatIsAskedToStopAndEndsOtherwiseIsTold) {
+    const auto told_of = [&](const std::string& at_the_end) {
+        told_.clear();
+        fs::remove(log());
+        const Ending ending = ending_of("trap '" + at_the_end + "' TERM; echo >>" + log() +
+                                            "; while :; do sleep 0.01; done",
+                                        1, {.workers = 1}, [&] { return fs::exists(log()); });
+        EXPECT_TRUE(ending.stopped);
+        return told_;
+    };
+    EXPECT_EQ(told_of("exit 130"), "");
+    EXPECT_EQ(told_of("exit 0"), "");
+    EXPECT_EQ(told_of("echo why >&2; exit 3"),
+              "frames 1-2: render ended with exit status 3, asked to stop:\nwhy\n");
+    EXPECT_EQ(told_of("kill -9 $$"), "frames 1-2: render ended with signal 9, asked to stop\n");
+    EXPECT_EQ(told_of("trap - TERM; kill $$"), ""); // as one that has not begun
+    EXPECT_EQ(told_of("echo >" + (*this / "a.0001.png").string() + "; trap - TERM; kill $$"),
+              "frames 1-2: render ended with signal 15, asked to stop\n");
 }
 
 TEST_F(LocalEnding, WarningsOfWorkersAreTold) {

@@ -1,7 +1,7 @@
 #include "display.h"
 
 #include <fstream>
-#include <iterator>
+#include <span>
 #include <stdexcept>
 
 #include "base/child_process.h"
@@ -22,27 +22,34 @@ bool Display::drive(std::vector<std::string> words) const {
 }
 
 // An X window dump (XWDFile.h): 25 numbers of 32 bits, high byte first; a name; a colour map; rows
-// of pixels, here blue, green, red and a byte of nothing.
-Pixels Display::screenshot() const {
+// of pixels, here blue, green, red and a byte of nothing. It is read often, by code that is not
+// optimized.
+std::vector<std::array<std::uint8_t, 3>> Display::screenshot(int left, int top, int width,
+                                                             int height) const {
     std::ifstream file(folder_ / "Xvfb_screen0", std::ios::binary);
-    const std::string bytes{std::istreambuf_iterator<char>(file), {}};
-    const auto byte = [&](std::size_t at) { return std::uint8_t(bytes.at(at)); };
-    const auto number = [&](std::size_t index) {
-        const std::size_t at = 4 * index;
-        return std::size_t(byte(at)) << 24 | std::size_t(byte(at + 1)) << 16 |
-               std::size_t(byte(at + 2)) << 8 | std::size_t(byte(at + 3));
+    enum { header_size, bits_a_pixel = 11, bytes_a_row, colors = 19, numbers = 25 };
+    std::array<std::uint8_t, 4 * numbers> header{};
+    const auto read = [&](std::size_t at, std::span<std::uint8_t> to) {
+        file.seekg(std::streamoff(at));
+        file.read(reinterpret_cast<char*>(to.data()), std::streamsize(to.size()));
+        if (!file) throw std::runtime_error("the screen's file ends early");
     };
-    enum { header_size, width_at = 4, height_at, bits_a_pixel = 11, bytes_a_row, colors = 19 };
-    constexpr std::size_t color_size = 12;
+    read(0, header);
+    const auto number = [&](std::size_t index) {
+        const std::uint8_t* byte = header.data() + 4 * index;
+        return std::size_t(byte[0]) << 24 | std::size_t(byte[1]) << 16 | std::size_t(byte[2]) << 8 |
+               std::size_t(byte[3]);
+    };
     if (number(bits_a_pixel) != 32) throw std::runtime_error("not a screen of 32 bits a pixel");
-    Pixels pixels{int(number(width_at)), int(number(height_at)), {}};
+    constexpr std::size_t color_size = 12;
     const std::size_t begin = number(header_size) + color_size * number(colors);
-    for (int y = 0; y < pixels.height; ++y) {
-        for (int x = 0; x < pixels.width; ++x) {
-            const std::size_t at =
-                begin + std::size_t(y) * number(bytes_a_row) + 4 * std::size_t(x);
-            pixels.rgb.push_back({byte(at + 2), byte(at + 1), byte(at)});
-        }
+    std::vector<std::uint8_t> row(4 * std::size_t(width));
+    std::vector<std::array<std::uint8_t, 3>> pixels(std::size_t(width) * std::size_t(height));
+    std::array<std::uint8_t, 3>* to = pixels.data();
+    for (int y = top; y < top + height; ++y) {
+        read(begin + std::size_t(y) * number(bytes_a_row) + 4 * std::size_t(left), row);
+        const std::uint8_t* from = row.data();
+        for (int x = 0; x < width; ++x, from += 4) *to++ = {from[2], from[1], from[0]};
     }
     return pixels;
 }

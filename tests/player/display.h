@@ -12,24 +12,17 @@
 
 namespace isomotion::player {
 
-struct Pixels {
-    int width = 0, height = 0;
-    std::vector<std::array<std::uint8_t, 3>> rgb; // the top row first
-
-    const std::array<std::uint8_t, 3>& at(int x, int y) const {
-        return rgb[std::size_t(y) * std::size_t(width) + std::size_t(x)];
-    }
-};
-
 class Display {
 public:
-    static constexpr int width = 1000, height = 700;
+    static constexpr int width = 660, height = 700;
 
     // None where Xvfb or xdotool is not installed.
     static std::optional<std::string> missing();
 
     const std::string& name() const { return server_.name(); } // ":7"
-    Pixels screenshot() const;
+    // Red, green and blue of a part of the screen, its top row first.
+    std::vector<std::array<std::uint8_t, 3>> screenshot(int left, int top, int width,
+                                                        int height) const;
     // xdotool with these words; false if it fails.
     bool drive(std::vector<std::string> words) const;
     void end() { server_.end(); } // as when the machine is shut down

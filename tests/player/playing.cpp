@@ -80,6 +80,8 @@ void Playing::play(std::vector<std::string> words,
                    const std::vector<std::pair<std::string, std::string>>& environment) {
     words.insert(words.begin(), {cli::tested_program(ISOMOTION_PROGRAM), "play", "--log", "log"});
     std::filesystem::remove(*this / "log");
+    log_.clear();
+    read_ = 0;
     mark_ = 0;
     player_ = ::fork();
     if (player_ == 0) {
@@ -131,20 +133,21 @@ cli::Ending Playing::run(std::vector<std::string> words) const {
                             .environment = {{"ISOMOTION_DATA", ISOMOTION_SOURCE_DIR}}});
 }
 
-std::vector<Json> Playing::log() const {
-    std::vector<Json> lines;
-    std::istringstream text(text_of(*this / "log"));
-    for (std::string line; std::getline(text, line);) {
-        const Json parsed = Json::parse(line, nullptr, false);
-        if (!parsed.is_discarded()) lines.push_back(parsed); // else still being written
+const std::vector<Json>& Playing::log() {
+    std::ifstream stream(*this / "log", std::ios::binary);
+    stream.seekg(read_);
+    for (std::string line;
+         std::getline(stream, line) && !stream.eof();) { // else still being written
+        log_.push_back(Json::parse(line));
+        read_ += std::streamoff(line.size()) + 1;
     }
-    return lines;
+    return log_;
 }
 
 Json Playing::await(const std::string& what, const std::function<bool(const Json&)>& holds) {
     Json found;
     const bool came = wait_for([&] {
-        const std::vector<Json> lines = log();
+        const std::vector<Json>& lines = log();
         for (std::size_t k = mark_; k < lines.size(); ++k) {
             if (!holds(lines[k])) continue;
             found = lines[k];
@@ -197,14 +200,8 @@ void Playing::drag(std::array<int, 2> from, std::array<int, 2> to) const {
 }
 
 std::vector<std::array<std::uint8_t, 3>> Playing::picture(const Json& line) const {
-    const Pixels screen = display_->screenshot();
-    const int left = line["corner"][0], top = line["corner"][1];
-    const int width = line["size"][0], height = line["size"][1];
-    std::vector<std::array<std::uint8_t, 3>> pixels;
-    for (int y = 0; y < height; ++y) {
-        for (int x = 0; x < width; ++x) pixels.push_back(screen.at(left + x, top + y));
-    }
-    return pixels;
+    return display_->screenshot(line["corner"][0], line["corner"][1], line["size"][0],
+                                line["size"][1]);
 }
 
 bool Playing::screen_comes_to(const std::function<bool()>& holds) const { return wait_for(holds); }

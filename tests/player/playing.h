@@ -36,7 +36,7 @@ protected:
     cli::Ending run(std::vector<std::string> words) const;
 
     // Lines of the log so far.
-    std::vector<Json> log() const;
+    const std::vector<Json>& log();
     // The first line after the mark for which this holds; waits for it, and fails without.
     Json await(const std::string& what, const std::function<bool(const Json&)>& holds);
     // A picture at rest of which this holds.
@@ -62,6 +62,8 @@ private:
     image::TemporaryFolder folder_;
     std::unique_ptr<Display> display_;
     pid_t player_ = -1;
+    std::vector<Json> log_;
+    std::streamoff read_ = 0; // bytes of its file
     std::size_t mark_ = 0;
 };
 

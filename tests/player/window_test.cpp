@@ -82,17 +82,17 @@ TEST_F(WindowTest, EndsWhenTheDriverIsResetAtOnce) {
 
 TEST_F(WindowTest, GoesToFullScreenAndBack) {
     play({"--paused", "sphere.toml"});
-    EXPECT_TRUE(window({"windowsize", "640", "480"}));
+    EXPECT_TRUE(window({"windowsize", "480", "480"}));
     const auto height = [](const Json& line) { return line["size"][1].get<int>(); };
     const Json before =
-        await_rest("a small picture", [&](const Json& l) { return height(l) < 480; });
+        await_rest("a small picture", [&](const Json& l) { return height(l) < 260; });
     mark();
     key("F11");
-    await_rest("a large picture", [&](const Json& l) { return height(l) > 480; });
+    await_rest("a large picture", [&](const Json& l) { return height(l) > 320; });
     mark();
     key("F11");
     const Json again =
-        await_rest("a small picture", [&](const Json& l) { return height(l) < 480; });
+        await_rest("a small picture", [&](const Json& l) { return height(l) < 260; });
     EXPECT_EQ(again["size"], before["size"]);
     quit();
 }

@@ -11,7 +11,6 @@
 #include <fstream>
 #include <sstream>
 
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 #include <unistd.h>
 
@@ -21,6 +20,7 @@
 #include "methods/peak.h"
 #include "methods/plots.h"
 #include "methods/tables.h"
+#include "words.h"
 
 namespace isomotion::bench {
 namespace {
@@ -145,27 +145,27 @@ void run(const Arguments& arguments) {
 
 int main(int argc, char** argv) {
     isomotion::bench::Arguments arguments;
-    CLI::App app("compares the methods that find roots");
-    app.add_option("-o,--output", arguments.folder, "folder for tables and plots")->required();
-    app.add_option("--only", arguments.only, "surfaces a,b (default: all of Table I; '' for none)");
-    app.add_option("--methods", arguments.methods, "a,b (default: all)");
-    app.add_option("--size", arguments.size, "pixels a side")->check(CLI::Range(8, 4096));
-    app.add_option("--repeat", arguments.repeat, "frames a median is taken of")
-        ->check(CLI::Range(1, 1000));
-    app.add_option("--frames", arguments.frames, "of blobby75 ('' for none)");
-    app.add_option("--halvings", arguments.most_halvings, "of the sign test's step, at most")
-        ->check(CLI::Range(0, 12));
-    app.add_option("--moving", arguments.moving, "animations of which the coherence is measured");
-    app.add_option("--moving-frames", arguments.moving_frames, "of these");
-    app.add_option("--sizes", arguments.sizes, "of the growth with resolution ('' for none)");
-    app.add_option("--growing", arguments.growing, "surfaces of which that is measured");
-    app.add_option("--blobs", arguments.blobs, "numbers of blobs ('' for none)");
-    app.add_option("--blob-size", arguments.blob_size, "pixels a side of their pictures");
-    app.add_option("--degrees", arguments.degrees, "of Chmutov's surfaces ('' for none)");
-    app.add_option("--lights", arguments.lights, "numbers of lights with shadows ('' for none)");
-    app.add_option("--growing-size", arguments.growing_size, "pixels a side of both");
-    app.add_option("--backend", arguments.backend, "auto, egl or osmesa");
-    CLI11_PARSE(app, argc, argv);
+    isomotion::bench::Words words("compares the methods that find roots");
+    words.text("-o,--output", arguments.folder, "folder for tables and plots");
+    words.require("--output");
+    words.text("--only", arguments.only, "surfaces a,b (default: all of Table I; '' for none)");
+    words.text("--methods", arguments.methods, "a,b (default: all)");
+    words.number("--size", arguments.size, "pixels a side", {8, 4096});
+    words.number("--repeat", arguments.repeat, "frames a median is taken of", {1, 1000});
+    words.text("--frames", arguments.frames, "of blobby75 ('' for none)");
+    words.number("--halvings", arguments.most_halvings, "of the sign test's step, at most",
+                 {0, 12});
+    words.text("--moving", arguments.moving, "animations of which the coherence is measured");
+    words.text("--moving-frames", arguments.moving_frames, "of these");
+    words.text("--sizes", arguments.sizes, "of the growth with resolution ('' for none)");
+    words.text("--growing", arguments.growing, "surfaces of which that is measured");
+    words.text("--blobs", arguments.blobs, "numbers of blobs ('' for none)");
+    words.number("--blob-size", arguments.blob_size, "pixels a side of their pictures");
+    words.text("--degrees", arguments.degrees, "of Chmutov's surfaces ('' for none)");
+    words.text("--lights", arguments.lights, "numbers of lights with shadows ('' for none)");
+    words.number("--growing-size", arguments.growing_size, "pixels a side of both");
+    words.text("--backend", arguments.backend, "auto, egl or osmesa");
+    if (const auto code = words.read(argc, argv)) return *code;
     try {
         isomotion::bench::run(arguments);
     } catch (const std::exception& error) {

@@ -12,7 +12,6 @@
 #include <chrono>
 #include <map>
 
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
 #include "accuracy/compare.h"
@@ -20,6 +19,7 @@
 #include "random/families.h"
 #include "render/renderer.h"
 #include "scene/reading/load.h"
+#include "words.h"
 
 namespace isomotion::bench {
 namespace {
@@ -158,15 +158,14 @@ void run(const Arguments& arguments) {
 
 int main(int argc, char** argv) {
     isomotion::bench::Arguments arguments;
-    CLI::App app("wrong pixels on random formulas");
-    app.add_option("--each", arguments.each, "formulas of each class")
-        ->check(CLI::Range(1, 100000));
-    app.add_option("--size", arguments.size, "pixels across")->check(CLI::Range(8, 2048));
-    app.add_option("--seed", arguments.seed, "of the first formula of each class");
-    app.add_option("--method", arguments.method, "instead of the scene's own");
-    app.add_option("--beside", arguments.beside, "another method, to compare the times");
-    app.add_option("--only", arguments.only, "these classes")->delimiter(',');
-    app.add_option("--list", arguments.list, "print so many scenes with wrong pixels a class");
-    CLI11_PARSE(app, argc, argv);
+    isomotion::bench::Words words("wrong pixels on random formulas");
+    words.number("--each", arguments.each, "formulas of each class", {1, 100000});
+    words.number("--size", arguments.size, "pixels across", {8, 2048});
+    words.seed("--seed", arguments.seed, "of the first formula of each class");
+    words.text("--method", arguments.method, "instead of the scene's own");
+    words.text("--beside", arguments.beside, "another method, to compare the times");
+    words.texts("--only", arguments.only, "these classes");
+    words.number("--list", arguments.list, "print so many scenes with wrong pixels a class");
+    if (const auto code = words.read(argc, argv)) return *code;
     isomotion::bench::run(arguments);
 }
