@@ -1,5 +1,6 @@
 #include "topology/field/ball_as_cube.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace isomotion::topology {
@@ -8,19 +9,25 @@ namespace {
 using formula::Interval;
 
 // What follows is computed in doubles and errs by less than 2^-48 of its size. With u = 2^-53, a
-// square errs by u of its size, m by 8 u, p by 17 u and its root's reciprocal by 11 u: none of the
-// terms is below 0 in the cube, none above 1, and p is at least 1.
+// square errs by u of its size, m by 8 u, p by 17 u and its root's reciprocal by 11 u: in the cube
+// none of the terms is below 0, none above 1, and p is at least 1. A little beyond it this holds
+// but for a part of 2^-18.
 constexpr Interval about_1{1 - 0x1p-48, 1 + 0x1p-48};
 
-// m = 1 - (1 - a)(1 - b), which rises with both.
+// m = 1 - (1 - a)(1 - b).
 double rate(double a, double b) { return a + b * (1 - a); }
+// Its ends are at corners, since it is linear in each: in the cube it rises with both, but beyond a
+// wall it falls.
+Interval rate(const Interval& a, const Interval& b) {
+    const auto [low, high] =
+        std::minmax({rate(a.lo, b.lo), rate(a.lo, b.hi), rate(a.hi, b.lo), rate(a.hi, b.hi)});
+    return {low, high};
+}
 // p rises with each square.
 double under_root(double a, double b, double c) { return 1 + a * b + c * rate(a, b); }
 
-// Ends of a function that rises with what it takes.
-Interval rising(double low, double high) {
-    return product_not_negative(Interval(low, high), about_1);
-}
+// Ends that are computed in doubles, widened by what these err.
+Interval widened(const Interval& ends) { return product_not_negative(ends, about_1); }
 
 SpaceBox squares_of(const SpaceBox& y) { return {square(y[0]), square(y[1]), square(y[2])}; }
 
@@ -61,12 +68,12 @@ BallAsCube::Slopes::Slopes(const SpaceBox& y, double radius)
     , y_(y)
     , squares_(squares_of(y)) {
     const auto& [a, b, c] = squares_;
-    root_ = rising(1 / std::sqrt(under_root(a.hi, b.hi, c.hi)),
-                   1 / std::sqrt(under_root(a.lo, b.lo, c.lo)));
+    root_ = widened(
+        {1 / std::sqrt(under_root(a.hi, b.hi, c.hi)), 1 / std::sqrt(under_root(a.lo, b.lo, c.lo))});
     cubed_ = product_not_negative(root_, product_not_negative(root_, root_));
     for (std::size_t k = 0; k < 3; ++k) {
         const Interval one = squares_[(k + 1) % 3], other = squares_[(k + 2) % 3];
-        rates_[k] = rising(rate(one.lo, other.lo), rate(one.hi, other.hi));
+        rates_[k] = widened(rate(one, other));
         halves_[k] = times_not_negative(y[k], rates_[k]);
         first_[k] = -times_not_negative(halves_[k], cubed_);
         place_by_y_[k][k] =

@@ -194,10 +194,14 @@ std::vector<MonotoneTrack::Time> MonotoneTrack::times(Interval value) const {
     }
     std::sort(found.begin(), found.end(),
               [](const Time& a, const Time& b) { return a.at.lo < b.at.lo; });
-    // Pieces that touch have one doubt, or one crossing seen from both sides.
+    // Pieces that touch have one doubt, or one crossing seen from both sides. Near a rest rounding
+    // may leave a gap in a doubt.
     std::vector<Time> times;
     for (const Time& time : found) {
-        if (times.empty() || time.at.lo > times.back().at.hi) {
+        const bool are_doubts =
+            !times.empty() && times.back().direction == 0 && time.direction == 0;
+        const double gap = are_doubts ? narrowest * width(range_) : 0;
+        if (times.empty() || time.at.lo > times.back().at.hi + gap) {
             times.push_back(time);
             continue;
         }

@@ -41,13 +41,16 @@ public:
         return low + (high - low) * double(random_()) / double(std::mt19937::max());
     }
     SpacePoint in_cube() { return {in(-1, 1), in(-1, 1), in(-1, 1)}; }
-    // Of any size, often at walls, edges and corners.
+    // Of any size, often at walls, edges and corners, and a little beyond these.
     SpaceBox box() {
         SpaceBox made;
-        const double size = std::exp(in(-8, 0));
+        const double size = std::exp(in(-16, 0)), beyond = in(0, 1) < 0.5 ? 0x1p-20 : 0;
         for (Interval& side : made) {
-            const double low = in(0, 1) < 0.3 ? (in(0, 1) < 0.5 ? -1 : 1 - size) : in(-1, 1 - size);
+            const bool is_at_wall = in(0, 1) < 0.4, is_low = in(0, 1) < 0.5;
+            const double low = is_at_wall ? (is_low ? -1 : 1 - size) : in(-1, 1 - size);
             side = {low, low + size};
+            if (is_at_wall && in(0, 1) < 0.3) side = Interval(is_low ? -1 : 1);
+            if (is_at_wall) (is_low ? side.lo : side.hi) += is_low ? -beyond : beyond;
         }
         return made;
     }
