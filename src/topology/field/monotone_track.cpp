@@ -21,6 +21,9 @@ Interval evaluate(const formula::Program& program, const formula::Bindings<Inter
 
 // Below this part of the range a turn of the track is not told from a crossing.
 constexpr double narrowest = 1e-9;
+// Beside a moment of rest at a value, where the track changes with the square of the time, rounding
+// hides what it does for about this part of the range.
+constexpr double hidden_by_rounding = 0x1p-26;
 // With more parts of a piece than this undecided, they stay so: the track nearly rests.
 constexpr std::size_t most_open = 1 << 14;
 // Newton's steps close in on a crossing where rates differ by this factor at most.
@@ -194,13 +197,13 @@ std::vector<MonotoneTrack::Time> MonotoneTrack::times(Interval value) const {
     }
     std::sort(found.begin(), found.end(),
               [](const Time& a, const Time& b) { return a.at.lo < b.at.lo; });
-    // Pieces that touch have one doubt, or one crossing seen from both sides. Near a rest rounding
-    // may leave a gap in a doubt.
+    // Pieces that touch have one doubt, or one crossing seen from both sides. Beside a rest
+    // rounding may leave a gap in a doubt.
     std::vector<Time> times;
     for (const Time& time : found) {
         const bool are_doubts =
             !times.empty() && times.back().direction == 0 && time.direction == 0;
-        const double gap = are_doubts ? narrowest * width(range_) : 0;
+        const double gap = are_doubts ? hidden_by_rounding * width(range_) : 0;
         if (times.empty() || time.at.lo > times.back().at.hi + gap) {
             times.push_back(time);
             continue;

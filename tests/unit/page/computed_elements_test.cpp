@@ -52,7 +52,8 @@ TEST(ComputedElements, AreFieldsThatMoveByExpressionsAlone) {
 
 // The tables have none of what is worked out; what is kept are the words of the values.
 TEST(ComputedElements, KeepWhatIntervalsDoNotTell) {
-    const std::string moving = "cx = 'sin(3*(pi/3*t))*(i + 1)'\ncy = 'cos(i + t)'\ncz = 0\n";
+    const std::string moving =
+        "cx = 'sin((pi*t + 2.1) - 2.1)*(i + 1)'\ncy = 'cos(i + t)'\ncz = 0\n";
     const WebScene web = balls(moving);
     const FrameValues values = frame_values(web);
     ASSERT_TRUE(values.computed[0]);
