@@ -29,6 +29,23 @@ constexpr std::size_t most_open = 1 << 14;
 // Newton's steps close in on a crossing where rates differ by this factor at most.
 constexpr double most_uneven = 8;
 
+using Time = MonotoneTrack::Time;
+
+// Doubts that are no further than `gap` from each other are one.
+std::vector<Time> with_doubts_joined(const std::vector<Time>& times, double gap) {
+    std::vector<Time> joined;
+    for (const Time& time : times) {
+        const bool are_doubts =
+            !joined.empty() && joined.back().direction == 0 && time.direction == 0;
+        if (are_doubts && time.at.lo - joined.back().at.hi <= gap) {
+            joined.back().at = hull(joined.back().at, time.at);
+        } else {
+            joined.push_back(time);
+        }
+    }
+    return joined;
+}
+
 } // namespace
 
 MonotoneTrack::MonotoneTrack(const scene::Scene& scene, int track, Interval range)
@@ -197,14 +214,10 @@ std::vector<MonotoneTrack::Time> MonotoneTrack::times(Interval value) const {
     }
     std::sort(found.begin(), found.end(),
               [](const Time& a, const Time& b) { return a.at.lo < b.at.lo; });
-    // Pieces that touch have one doubt, or one crossing seen from both sides. Beside a rest
-    // rounding may leave a gap in a doubt.
+    // Pieces that touch have one doubt, or one crossing seen from both sides.
     std::vector<Time> times;
     for (const Time& time : found) {
-        const bool are_doubts =
-            !times.empty() && times.back().direction == 0 && time.direction == 0;
-        const double gap = are_doubts ? hidden_by_rounding * width(range_) : 0;
-        if (times.empty() || time.at.lo > times.back().at.hi + gap) {
+        if (times.empty() || time.at.lo > times.back().at.hi) {
             times.push_back(time);
             continue;
         }
@@ -220,7 +233,7 @@ std::vector<MonotoneTrack::Time> MonotoneTrack::times(Interval value) const {
             times[k].direction = 0;
     }
     settle_in_runs(times, value);
-    return times;
+    return with_doubts_joined(times, hidden_by_rounding * width(range_));
 }
 
 // That the track is on one side of the value somewhat before and on the other somewhat after. Near
