@@ -38,6 +38,8 @@ FrameField::FrameField(const SpaceFormula& formula, std::optional<BallAsCube> ba
     , field_(over_space(formula))
     , evaluator_(field_, formula.bindings) {}
 
+// A part's place is rounded outwards, and may stick out of that of the whole by some ulps. What a
+// box's elements tell has to hold where the places of its points are, and these are inside both.
 Box FrameField::in_space(const SpaceBox& box) const {
     const SpaceBox place = ball_ ? ball_->place(box) : box;
     return {place[0], place[1], place[2]};
