@@ -313,6 +313,15 @@ TEST(CertifiedFrame, FramesAgreeWithGrids) {
     EXPECT_GE(proved, 3);
 }
 
+SpaceBox eighth_of(SpaceBox box, formula::Random& random) {
+    for (auto& side : box) {
+        const double middle = mid(side);
+        side = random.below(2) ? formula::Interval(side.lo, middle)
+                               : formula::Interval(middle, side.hi);
+    }
+    return box;
+}
+
 // Boxes hold what the field has at their points, with elements left out or not.
 TEST(FrameField, EnclosesValuesAndSlopes) {
     const scene::Scene scene = animated("blobby75");
@@ -327,11 +336,7 @@ TEST(FrameField, EnclosesValuesAndSlopes) {
         // From some box on, or never, far elements go by Taylor's formula.
         const int expanded_from = int(random.below(12));
         for (int halvings = 0; halvings < 9; ++halvings) {
-            for (auto& side : at) {
-                const double middle = mid(side);
-                side = random.below(2) ? formula::Interval(side.lo, middle)
-                                       : formula::Interval(middle, side.hi);
-            }
+            at = eighth_of(at, random);
             ValueAndGradient g;
             boxes.over(near, {&at, 1}, {&g, 1});
             boxes.tighten(near, {&at, 1}, {&g, 1});
@@ -373,11 +378,7 @@ TEST(FrameField, EnclosesSlopesInABall) {
         SpaceBox at{{{-1, 1}, {-1, 1}, {-1, 1}}};
         const int expanded_from = int(random.below(12));
         for (int halvings = 0; halvings < 9; ++halvings) {
-            for (auto& side : at) {
-                const double middle = mid(side);
-                side = random.below(2) ? formula::Interval(side.lo, middle)
-                                       : formula::Interval(middle, side.hi);
-            }
+            at = eighth_of(at, random);
             ValueAndGradient g;
             boxes.over(near, {&at, 1}, {&g, 1});
             if (random.below(2) == 0) boxes.tighten(near, {&at, 1}, {&g, 1});
