@@ -1,4 +1,4 @@
-// Draws one triangle over the whole viewport, or rectangles in it. Passes the frame on to the fragments as flat values,
+// Draws one triangle over the whole viewport, or rectangles or squares in it. Passes the frame on to the fragments as flat values,
 // which cost software renderers nothing; each vec4 read from a block costs every pixel as much as
 // several operations.
 layout(std140) uniform Frame {
@@ -18,7 +18,7 @@ layout(std140) uniform Shading { // shade/shading_flat.glsl
 flat out vec4 material_color, background, light_direction[1], light_color[1];
 #endif
 
-#ifndef RECTANGLES
+#if !defined(RECTANGLES) && !defined(SQUARES)
 vec2 corner() { return vec2(gl_VertexID & 1, gl_VertexID >> 1) * 4.0 - 1.0; }
 #endif
 

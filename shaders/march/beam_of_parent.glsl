@@ -1,9 +1,8 @@
 // Beams within larger beams, which are PARENT_BLOCK pixels across.
-uniform sampler2D beam_texture;
 
 Part parent_part(ivec2 block) {
     ivec2 at = beam_texel(block * BLOCK / PARENT_BLOCK, PARENT_SQUARE_BITS);
-    vec4 part = IM_TEXEL(beam_texture, at);
+    vec4 part = part_of_beam(at);
 #ifdef LISTS
 #ifdef COPIES
     ivec2 larger = block * BLOCK / PARENT_BLOCK;

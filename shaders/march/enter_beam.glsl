@@ -1,9 +1,7 @@
 // Restricts a ray to the part that its beam left to march, see beam.frag.
-uniform sampler2D beam_texture;
-
 void enter_beam(inout Ray ray) {
     ivec2 at = beam_texel(ivec2(pixel_centre) / BLOCK, SQUARE_BITS);
-    vec4 part = IM_TEXEL(beam_texture, at);
+    vec4 part = part_of_beam(at);
     ray.t_near = max(ray.t_near, part.x * ray.to_eye);
     ray.t_far = part.x < part.y ? min(ray.t_far, part.y * ray.to_eye) : ray.t_near - 1.0;
 #ifdef LISTS

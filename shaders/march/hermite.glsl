@@ -25,6 +25,9 @@ RayState advance(RayState s, Ray ray, float t, vec2 f) {
           longest = clamp(0.25 * (ray.t_far - ray.t_near), finest, cubics.y);
     s.evaluations += 1;
     if (s.phase == PHASE_GRADIENT) return take_derivative(s, f);
+#ifdef SETTLES
+    if (s.phase == PHASE_NEWTON) return step_by_newton(s, ray, t, f);
+#endif
     bool starts = s.phase == PHASE_START, refines = s.phase == PHASE_REFINE;
     bool nan = im_is_nan(f.x);
 #ifdef ROUGH

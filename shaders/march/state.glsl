@@ -6,8 +6,9 @@ const int PHASE_START = 0;   // sample t_near next
 const int PHASE_MARCH = 1;   // sample `high` next: is a root in [low, high]?
 const int PHASE_REFINE = 2;  // there is one: refine it
 const int PHASE_GRADIENT = 3; // sample the gradient at the root, which is in `low` and `high`
-const int PHASE_DONE = 4;
-const int PHASE_SOLVE = 5; // between two samples: solve() continues; never stored
+const int PHASE_NEWTON = 4; // sample `high` next: the ray is settled, newton.glsl
+const int PHASE_DONE = 5;
+const int PHASE_SOLVE = 6; // between two samples: solve() continues; never stored
 
 struct RayState {
     float low;         // t of the last sample before the root; when done, of the root

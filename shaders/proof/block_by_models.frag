@@ -62,6 +62,9 @@ void main() {
             slope = least > 0.0 ? 0.999999 * least / piece.half_length : 0.0;
 #ifndef COARSE
             roots_proved = proves_roots(boxes, ends, piece, f, slope, margin);
+#ifdef PARENT_SETTLES
+            if (roots_proved && are_first_roots(block, ends, around)) settled = 1.0;
+#endif
 #endif
             roots = false;
         } else {

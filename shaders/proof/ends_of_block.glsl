@@ -26,12 +26,18 @@ float settled_before(ivec2 block, float low) {
     return low;
 }
 #else
+#ifdef COARSE_BLOCK
 uniform sampler2D coarse_block_texture;
 
 float settled_before(ivec2 block, float low) {
     float coarse = IM_TEXEL(coarse_block_texture, block * BLOCK / COARSE_BLOCK).x;
     return coarse > low ? coarse : low; // also for NaN
 }
+#else
+float settled_before(ivec2 block, float low) {
+    return low;
+}
+#endif
 
 Ends ends_of(ivec2 block) {
     Ends ends;

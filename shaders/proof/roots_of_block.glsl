@@ -14,15 +14,6 @@ float uncertain_at_ends(Ends ends, Piece piece, Model f) {
     return md_up(most + f.error + 64.0 * IM_ROUNDING * md_size(f));
 }
 
-bool holds_within_bounds(vec2 x, vec2 y, vec2 z) {
-    bool holds = true;
-    for (int k = 0; k < 8; ++k) {
-        holds = holds && inside_bounds(vec3((k & 1) == 0 ? x.x : x.y, (k & 2) == 0 ? y.x : y.y,
-                                            (k & 4) == 0 ? z.x : z.y));
-    }
-    return holds;
-}
-
 // `slope`: the least of F in tau over the piece, whose ends keep a distance of 2 tube.w and
 // `margin` from all roots.
 bool proves_roots(Beam boxes, Ends ends, Piece piece, Model f, float slope, float margin) {

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <array>
+#include <stdexcept>
+#include <vector>
 
 #include <fmt/format.h>
 
@@ -62,23 +64,53 @@ BeamPass::BeamPass(const synthesis::Passes& passes, const scene::Scene& scene,
         const int length = int(part * longest_list(level, plan, elements));
         levels_.push_back(
             {gpu::Target(texels_of(plan.tile_width, side), texels_of(plan.tile_height, side),
-                         synthesis::has_lists(passes) ? 3 : 1),
+                         level.by_models                ? 2
+                         : synthesis::has_lists(passes) ? 3
+                                                        : 1),
              block, level.square_bits,
              evaluations_of_a_beam(passes, *scene.surface.field, level.lists),
-             glm::ivec3(first_list + listed_, length, blocks_in(plan.tile_width, block))});
+             glm::ivec3(first_list + listed_, length, blocks_in(plan.tile_width, block)),
+             level.by_models});
         listed_ += blocks_in(plan, block) * lists_of_a_block(level) * length;
     }
 }
 
-void BeamPass::bind(const PassTable& table, const gpu::Target& results, const std::string& kind) {
-    constexpr std::array<const char*, 3> parts{"", "_lists", "_all"};
-    for (int k = 0; k < results.attachments(); ++k) {
-        table.bind(fmt::format("{}{}_texture", kind, parts.at(std::size_t(k))), results.texture(k));
+void BeamPass::bind(const PassTable& table, const Level& level, const std::string& kind) {
+    const std::array<const char*, 3> parts{"", level.by_models ? "_roots" : "_lists", "_all"};
+    for (int k = 0; k < level.results.attachments(); ++k) {
+        table.bind(fmt::format("{}{}_texture", kind, parts.at(std::size_t(k))),
+                   level.results.texture(k));
     }
 }
 
+Blocks BeamPass::blocks(const gpu::Rectangle& tile) const {
+    const Level& level = levels_.back();
+    if (level.block != Blocks::side)
+        throw std::logic_error(fmt::format("the last beams have {} pixels across", level.block));
+    Blocks found(tile.width, tile.height);
+    const int side = 1 << level.square_bits;
+    std::vector<float> parts;
+    for (int up = 0; up < found.up; up += side) {
+        for (int right = 0; right < found.across; right += side) {
+            const int width = std::min(side, found.across - right);
+            const int height = std::min(side, found.up - up);
+            parts.resize(4 * std::size_t(width) * std::size_t(height));
+            level.results.read(0, right / side * synthesis::beam_square,
+                               up / side * synthesis::beam_square, width, height, parts);
+            for (int k = 0; k < width * height; ++k) {
+                const float* part = parts.data() + 4 * k;
+                found.at(right + k % width, up + k / width) =
+                    part[0] < part[1]
+                        ? level.by_models && part[2] > 0 ? BlockKind::settled : BlockKind::open
+                        : BlockKind::empty;
+            }
+        }
+    }
+    return found;
+}
+
 void BeamPass::bind(const PassTable& table, const std::string& kind) const {
-    bind(table, levels_.back().results, kind);
+    bind(table, levels_.back(), kind);
 }
 
 void BeamPass::draw(PassTable& table, std::span<const glm::vec4> ranges,
@@ -88,7 +120,7 @@ void BeamPass::draw(PassTable& table, std::span<const glm::vec4> ranges,
         const Level& level = levels_[k];
         const gpu::Program& program = table.program(synthesis::Role::beams, int(k));
         if (array) array->bind_for_lists();
-        if (k > 0) bind(table, levels_[k - 1].results, "beam");
+        if (k > 0) bind(table, levels_[k - 1], "beam");
         program.set("beam", ranges[k]);
         program.set("beam_evaluations", level.evaluations);
         program.set("around_middles", float(around));

@@ -12,6 +12,7 @@
 #include "gpu/draw.h"
 #include "gpu/target.h"
 #include "render/array_buffer.h"
+#include "render/block_squares.h"
 #include "render/march_plan.h"
 #include "render/pass_table.h"
 #include "scene/scene.h"
@@ -43,20 +44,25 @@ public:
     // Binds the results for passes that read them as `kind`_texture: "beam" or "light_beam".
     void bind(const PassTable& table, const std::string& kind = "beam") const;
 
+    // What the last level found of a tile's blocks of 8 pixels, from pixel (0, 0) on. Waits for the
+    // draws before.
+    Blocks blocks(const gpu::Rectangle& tile) const;
+
     // The squares of every level divide this number of pixels.
     static constexpr int square = 256;
 
 private:
     struct Level {
-        gpu::Target results; // parts and lists
+        gpu::Target results; // parts; and lists, or the pieces with first roots
         int block, square_bits;
         int evaluations; // of one beam
         // The first element of its lists in the array's buffer; the limit on the list of a block,
         // which otherwise uses the list of the level before; blocks across.
         glm::ivec3 list;
+        bool by_models;
     };
 
-    static void bind(const PassTable& table, const gpu::Target& results, const std::string& kind);
+    static void bind(const PassTable& table, const Level& level, const std::string& kind);
 
     std::vector<Level> levels_;
     int listed_ = 0;

@@ -22,17 +22,21 @@ void clear_to_misses(const gpu::Target& target, const std::vector<Channel>& chan
 
 FusedPass::FusedPass(const synthesis::Passes& passes, const gpu::Target& result)
     : result_(result)
-    , channels_(passes.attachments)
-    , mask_(result) {}
+    , channels_(passes.attachments) {}
 
 void FusedPass::draw(PassTable& table, const gpu::Rectangle& tile, const ScenePlan& plan,
-                     glm::vec4 background) const {
-    const gpu::Program& program = table.program(Role::fused);
-    program.set("evaluations_per_pass", plan.march.evaluations_per_pass);
-    program.set("element_budget", plan.element_budget);
-    mask_.set([&] { table.draw(table.program(Role::mask), tile); });
+                     glm::vec4 background, const Blocks& blocks) {
+    const auto draw = [&](Role role, BlockKind kind, gpu::Squares& squares) {
+        const gpu::Program& program = table.program(role);
+        program.set("evaluations_per_pass", plan.march.evaluations_per_pass);
+        program.set("element_budget", plan.element_budget);
+        squares.set(squares_of(blocks, kind));
+        table.draw(program, tile, squares);
+    };
     clear_to_misses(result_, channels_, background);
-    mask_.apply([&] { table.draw(program, tile); });
+    result_.bind();
+    draw(Role::fused, BlockKind::open, open_);
+    if (table.has(Role::settled)) draw(Role::settled, BlockKind::settled, settled_);
 }
 
 } // namespace isomotion::render

@@ -5,8 +5,9 @@
 
 #include <glm/glm.hpp>
 
-#include "gpu/depth_mask.h"
+#include "gpu/squares.h"
 #include "gpu/target.h"
+#include "render/block_squares.h"
 #include "render/pass_table.h"
 #include "render/scene_plan.h"
 
@@ -22,15 +23,14 @@ public:
     // Draws into `result`, which must outlive it: colour, record and the attachments of `passes`.
     FusedPass(const synthesis::Passes& passes, const gpu::Target& result);
 
-    // Where beams or bounds leave no part of a ray to march, the shader doesn't run. Such pixels
-    // are misses with the colour `background`.
+    // The shaders don't run in empty blocks. Their pixels are misses with the colour `background`.
     void draw(PassTable& table, const gpu::Rectangle& tile, const ScenePlan& plan,
-              glm::vec4 background) const;
+              glm::vec4 background, const Blocks& blocks);
 
 private:
     const gpu::Target& result_;
     std::vector<synthesis::Channel> channels_; // of the attachments from the third on
-    gpu::DepthMask mask_;
+    gpu::Squares open_, settled_;
 };
 
 } // namespace isomotion::render

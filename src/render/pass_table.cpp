@@ -144,6 +144,17 @@ void PassTable::draw(const gpu::Program& program, const gpu::Rectangle& tile,
     parts.draw();
 }
 
+void PassTable::draw(const gpu::Program& program, const gpu::Rectangle& tile,
+                     const gpu::Squares& squares) const {
+    // A point is drawn only if its middle lies in the viewport.
+    const int width = (tile.width + 7) / 8 * 8, height = (tile.height + 7) / 8 * 8;
+    gpu::set_viewport({0, 0, width, height});
+    program.set("tile_origin", glm::ivec2(tile.x, tile.y));
+    program.set("pixel_of_viewport", 2.0f / glm::vec2(width, height));
+    bind("squares", squares.words());
+    squares.draw();
+}
+
 void PassTable::march(const gpu::Program& program, const gpu::Rectangle& tile,
                       const gpu::Target& target, const gpu::Rectangles* parts) const {
     if (!clock_) return march_untimed(program, tile, target, parts);

@@ -15,6 +15,7 @@
 #include "gpu/draw.h"
 #include "gpu/program.h"
 #include "gpu/rectangles.h"
+#include "gpu/squares.h"
 #include "gpu/target.h"
 #include "render/ray_clock.h"
 #include "synthesis/pass.h"
@@ -68,6 +69,9 @@ public:
     // The same over rectangles in that area, for passes that are drawn so (synthesis::Cover).
     void draw(const gpu::Program& program, const gpu::Rectangle& tile,
               const gpu::Rectangles& parts) const;
+    // Runs one of a pass over squares, which may reach over the tile's upper and right edges.
+    void draw(const gpu::Program& program, const gpu::Rectangle& tile,
+              const gpu::Squares& squares) const;
     // Runs a pass of rays, in the stage that the passes were assembled for; `target` receives the
     // states. `parts`: what fragments are drawn over, for passes that are drawn so.
     void march(const gpu::Program& program, const gpu::Rectangle& tile, const gpu::Target& target,

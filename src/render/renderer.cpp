@@ -244,6 +244,15 @@ struct Renderer::Parts {
         if (options.stop && options.stop()) throw Stopped{};
     }
 
+    // Draws a tile of a plain scene, whose beams were drawn.
+    void draw_fused(const PictureInputs& inputs, const gpu::Rectangle& tile) {
+        const bool is_box = scene.surface.bounds.shape == scene::Bounds::Shape::box;
+        const bool by_beams = own.beams && passes.beams.back().block == Blocks::side;
+        fused->draw(table, tile, plan, inputs.background(),
+                    by_beams ? own.beams->blocks(tile)
+                             : blocks_in_bounds(inputs.eye.frame, is_box, tile));
+    }
+
     // Draws a tile into `result`, reads its record and adds that to the picture's. Returns its
     // rays, or null if they were not kept.
     const gpu::Target* draw_tile(const PictureInputs& inputs, const gpu::Rectangle& tile,
@@ -265,7 +274,7 @@ struct Renderer::Parts {
             return nullptr;
         }
         if (one_draw) {
-            timed([&] { fused->draw(table, tile, plan, inputs.background()); });
+            timed([&] { draw_fused(inputs, tile); });
             ++picture.passes;
             record.read(result, 1, tile.width, tile.height);
             if (take_ended(tile, picture)) return nullptr;
@@ -394,7 +403,7 @@ struct Renderer::Parts {
         upload(inputs);
         stop_if_asked();
         own.draw_beams(inputs, whole());
-        fused->draw(table, whole(), plan, inputs.background());
+        draw_fused(inputs, whole());
         gpu::Transfer pixels = flights.transfer(bytes_of_a_tile());
         std::size_t end = 0;
         for (int k = 0; k < result.attachments(); ++k) end = pixels.ask(result, k, whole(), end);

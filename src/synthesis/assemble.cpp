@@ -130,6 +130,8 @@ Passes assemble(const scene::Scene& scene, const std::vector<Channel>& channels,
     };
     find_elements(true);
     if (has_copies(passes) && !copies_fit(passes)) find_elements(false);
+    if (stage == Stage::fragment && !on_web && can_settle_blocks(scene, finest_beam))
+        passes.beams = levels_by_models(finest_beam);
     // A polynomial is solved from where the eye's rays begin, off the surface: shadow rays from the
     // light end on it.
     if (!passes.beams.empty() && !solves && !on_web)
@@ -138,16 +140,18 @@ Passes assemble(const scene::Scene& scene, const std::vector<Channel>& channels,
     if (scene.isolation.certify || tells_endings) wanted.push_back(Channel::ending);
     if (scene.isolation.certify && is_among(scene)) wanted.push_back(Channel::surface);
     passes.attachments = written_channels(wanted);
+    const bool fuses =
+        stage == Stage::fragment && can_fuse(scene, channels, int(passes.attachments.size()));
+    passes.draws_squares = fuses && !is_among(scene) && !on_web;
 
     const auto add = [&](Pass pass) { passes.list.push_back(std::move(pass)); };
     for (std::size_t level = 0; level < passes.beams.size(); ++level) {
         add(beam_pass(scene, passes, int(level)));
         if (has_copies(passes)) add(beam_copies_pass(scene, passes, int(level)));
     }
-    const bool fuses =
-        stage == Stage::fragment && can_fuse(scene, channels, int(passes.attachments.size()));
     if (fuses) {
-        add(mask_pass(scene, passes));
+        if (!passes.draws_squares) add(mask_pass(scene, passes));
+        if (settles_blocks(passes)) add(settled_pass(scene, passes));
         add(fused_pass(scene, passes));
     }
     const When after_fused = fuses ? When::where_fused_ends : When::until_rays_end;

@@ -5,10 +5,13 @@
 #include <fmt/format.h>
 
 #include "formula/glsl/glsl_interval.h"
+#include "formula/glsl/glsl_model.h"
 #include "formula/linear_sum.h"
 #include "synthesis/beam_copies_text.h"
+#include "synthesis/model_text.h"
 #include "synthesis/section_text.h"
 #include "synthesis/shader_text.h"
+#include "synthesis/surfaces_text.h"
 
 namespace isomotion::synthesis {
 namespace {
@@ -49,6 +52,7 @@ void add_boxes(ShaderText& text, const scene::Scene& scene, const Passes& passes
         text.file("march/read_lists.glsl");
     }
     if (parent) define_parent(text, *parent);
+    if (parent) text.file("march/part_of_beam.glsl");
     text.file(parent ? "march/beam_of_parent.glsl" : "march/beam_whole.glsl");
 }
 
@@ -70,21 +74,12 @@ bool bounds_pay(const formula::Field& field) {
     return true;
 }
 
-} // namespace
-
-void define_blocks(ShaderText& text, const BeamLevel& beam) {
-    text.define("BLOCK", beam.block);
-    text.define("SQUARE_BITS", beam.square_bits);
-    text.define("SQUARES_APART", beam_square);
-    text.file("march/beam_place.glsl");
+std::string name_of(const BeamLevel& beam) {
+    return fmt::format("beams of {} pixel{}{}", beam.block, beam.block == 1 ? "" : "s",
+                       beam.by_models ? " by models" : "");
 }
 
-bool uses_beams(const scene::Scene& scene) {
-    return scene.isolation.beam.value_or(scene.isolation.method == scene::Method::hermite &&
-                                         bounds_pay(*scene.surface.field));
-}
-
-Pass beam_pass(const scene::Scene& scene, const Passes& passes, int level) {
+Pass beam_pass_by_intervals(const scene::Scene& scene, const Passes& passes, int level) {
     const formula::Field& field = *scene.surface.field;
     const BeamLevel& beam = passes.beams[std::size_t(level)];
     // The beams that these lie in.
@@ -126,11 +121,65 @@ Pass beam_pass(const scene::Scene& scene, const Passes& passes, int level) {
     add_sections_over_boxes(text, scene);
     if (makes_lists) text.file("march/beam_list.glsl");
     text.file("march/beam.frag");
-    Pass pass = std::move(text).pass(
-        Role::beams, fmt::format("beams of {} pixel{}", beam.block, beam.block == 1 ? "" : "s"),
-        When::once_a_tile);
+    Pass pass = std::move(text).pass(Role::beams, name_of(beam), When::once_a_tile);
     pass.level = level;
     return pass;
+}
+
+Pass beam_pass_by_models(const scene::Scene& scene, const Passes& passes, int level) {
+    const BeamLevel& beam = passes.beams[std::size_t(level)];
+    ShaderText text;
+    define_blocks(text, beam);
+    if (scene.isolation.certify) text.define("BOTH_ENDS", 1);
+    // Where F may touch 0 without a change of sign, cubics need some room before that.
+    text.define("SHORTEST", scene.surface.smoothness.squares ? "beam.z" : "(0.5 * beam.z)");
+    add_enclosures(text, *scene.surface.field, passes, {});
+    add_piece_models(text, *scene.surface.field, "models/block.glsl");
+    text.file("frame.glsl");
+    add_boxes(text, scene, passes, level > 0 ? &beam - 1 : nullptr);
+    text.file("models/piece_of_block.glsl");
+    text.define("BOUNDS_ROUNDING", "beam.w");
+    add_inside_bounds(text, scene);
+    text.file("models/box_within_bounds.glsl");
+    text.file("march/beam_by_models.frag");
+    Pass pass = std::move(text).pass(Role::beams, name_of(beam), When::once_a_tile);
+    pass.level = level;
+    return pass;
+}
+
+void add_entrance_file(ShaderText& text, bool by_beams) {
+    if (by_beams) text.file("march/part_of_beam.glsl");
+    text.file(by_beams ? "march/enter_beam.glsl" : "march/enter_bounds.glsl");
+}
+
+} // namespace
+
+void define_blocks(ShaderText& text, const BeamLevel& beam) {
+    text.define("BLOCK", beam.block);
+    text.define("SQUARE_BITS", beam.square_bits);
+    text.define("SQUARES_APART", beam_square);
+    text.file("march/beam_place.glsl");
+}
+
+bool uses_beams(const scene::Scene& scene) {
+    return scene.isolation.beam.value_or(scene.isolation.method == scene::Method::hermite &&
+                                         bounds_pay(*scene.surface.field));
+}
+
+Pass beam_pass(const scene::Scene& scene, const Passes& passes, int level) {
+    if (passes.beams[std::size_t(level)].by_models)
+        return beam_pass_by_models(scene, passes, level);
+    return beam_pass_by_intervals(scene, passes, level);
+}
+
+bool can_settle_blocks(const scene::Scene& scene, int finest) {
+    // Between two waves of a longer polynomial no block of 8 pixels lies in a usual picture, and
+    // models of more products cost more than they save.
+    constexpr int most = 10;
+    const int degree = formula::modelled_degree(*scene.surface.field);
+    return scene.isolation.method == scene::Method::hermite &&
+           scene.isolation.beam.value_or(true) && scene.sections.empty() && !is_among(scene) &&
+           degree > 0 && degree <= most && finest > 1;
 }
 
 bool lies_in_beams(const Passes& passes, int block) {
@@ -138,6 +187,7 @@ bool lies_in_beams(const Passes& passes, int block) {
 }
 
 void define_parent(ShaderText& text, const BeamLevel& parent) {
+    if (parent.by_models) text.define("PARENT_SETTLES", 1);
     text.define("PARENT_BLOCK", parent.block);
     text.define("PARENT_SQUARE_BITS", parent.square_bits);
 }
@@ -160,12 +210,16 @@ void add_entrance(ShaderText& text, const Passes& passes, bool by_beams) {
         text.file("march/choose_list.glsl");
         if (has_copies(passes)) add_copies_of_ray(text, passes);
     }
-    text.file(by_beams ? "march/enter_beam.glsl" : "march/enter_bounds.glsl");
+    add_entrance_file(text, by_beams);
 }
 
 void add_way(ShaderText& text, const Passes& passes, bool by_beams) {
     if (by_beams) define_blocks(text, passes.beams.back());
-    text.file(by_beams ? "march/enter_beam.glsl" : "march/enter_bounds.glsl");
+    add_entrance_file(text, by_beams);
+}
+
+std::vector<BeamLevel> levels_by_models(int finest) {
+    return {{finest, BeamLists::none, 1, 4, true}};
 }
 
 std::vector<BeamLevel> beam_levels(const FieldStorage& storage, int finest) {

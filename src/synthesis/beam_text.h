@@ -17,8 +17,18 @@ bool uses_beams(const scene::Scene& scene);
 // Adds where the results of a level of beams lie.
 void define_blocks(ShaderText& text, const BeamLevel& beam);
 
+// Whether beams by models can tell where the first roots of a scene's rays are: those of a
+// polynomial of low degree without sections, by the method hermite.
+bool can_settle_blocks(const scene::Scene& scene, int finest);
+
+// Whether the last level does.
+inline bool settles_blocks(const Passes& passes) {
+    return !passes.beams.empty() && passes.beams.back().by_models;
+}
+
 // The levels of beams; the smallest have 8 pixels or 1.
 std::vector<BeamLevel> beam_levels(const FieldStorage& storage, int finest);
+std::vector<BeamLevel> levels_by_models(int finest);
 Pass beam_pass(const scene::Scene& scene, const Passes& passes, int level);
 
 // Adds the code that determines where rays begin and end: by the last level of beams, or at the

@@ -35,7 +35,7 @@ void add_seen_through_glass(ShaderText& text, const scene::Scene& scene);
 
 // A pass that looks at paths alone: `text` knows what a path is.
 Pass pass_over_paths(ShaderText text, Role role, const char* name, const char* file,
-                     Cover cover = Cover::whole);
+                     Cover cover = {});
 
 // The passes of glass besides its march, in the order in which a tile runs them.
 std::vector<Pass> glass_passes(const scene::Scene& scene, const Passes& passes);

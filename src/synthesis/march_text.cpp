@@ -1,5 +1,7 @@
 #include "synthesis/march_text.h"
 
+#include <array>
+
 #include <fmt/format.h>
 
 #include "synthesis/beam_copies_text.h"
@@ -154,6 +156,10 @@ void add_march(ShaderText& text, const scene::Scene& scene, const Passes& passes
     add_isolation(text, scene, passes);
     text.file(passes.march_takes_gradient ? "march/gradient_at_root.glsl"
                                           : "march/end_at_root.glsl");
+    if (beam && settles_blocks(passes) && draws == Draws::several) {
+        text.define("SETTLES", 1);
+        add_files(text, std::array<std::string_view, 3>{"slab", "begin_in_slab", "newton"});
+    }
     const bool cuts = !scene.sections.empty(), tells = samples_tell_caps(scene, passes);
     if (cuts && tells) begin_turn_of_part(text);
     add_turn(text, scene, passes);
@@ -161,6 +167,14 @@ void add_march(ShaderText& text, const scene::Scene& scene, const Passes& passes
     if (array_with_grid(passes)) text.define("GRID", 1);
     if (passes_free_cells(scene, passes)) add_way_past_free_cells(text);
     add_march_through_parts(text, scene, "march/march.glsl", tells);
+}
+
+void add_settled_march(ShaderText& text, const Passes& passes) {
+    define_blocks(text, passes.beams.back());
+    add_files(text, std::array<std::string_view, 8>{"slab", "begin_in_slab", "sample_directional",
+                                                    passes.march_takes_gradient ? "gradient_at_root"
+                                                                                : "end_at_root",
+                                                    "newton", "settled", "turn_point", "march"});
 }
 
 Pass march_pass(const scene::Scene& scene, const Passes& passes, Origin origin, When when) {

@@ -21,6 +21,10 @@ enum class Draws { one, several };
 void add_march(ShaderText& text, const scene::Scene& scene, const Passes& passes, Origin origin,
                Draws draws = Draws::several);
 
+// Defines march() for rays whose first root is known to lie in a piece, and enter_settled(), which
+// tells that piece. After the field and the ray.
+void add_settled_march(ShaderText& text, const Passes& passes);
+
 // One pass of rays. `when`: for the eye's rays, whether they are tried in one draw first.
 Pass march_pass(const scene::Scene& scene, const Passes& passes, Origin origin, When when);
 // Counts rays that still march.

@@ -85,7 +85,7 @@ void note_declarations(Pass& pass) {
 
 Passes without_fused_pass(Passes passes) {
     std::erase_if(passes.list, [](const Pass& pass) {
-        return pass.role == Role::mask || pass.role == Role::fused;
+        return pass.role == Role::mask || pass.role == Role::fused || pass.role == Role::settled;
     });
     for (Pass& pass : passes.list) {
         if (pass.when != When::where_fused_ends) continue;

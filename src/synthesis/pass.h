@@ -20,6 +20,7 @@ enum class Role {
     beam_copies,    // copies the elements that matter in those, where shaders can write no lists
     mask,           // depth lets the fused pass run where rays have a way to march
     fused,          // march and picture in one draw, of plain scenes
+    settled,        // the same of blocks whose beam tells where their rays' first roots are
     march,          // takes rays some turns on
     active,         // counts the rays that still march
     surface,        // keeps the ends of rays, for the passes that begin there
@@ -45,12 +46,12 @@ enum class Role {
     ending,         // where rays ended, for the proofs of one surface among several
     // Proofs, for scenes that ask for them: see render/proofs.h.
     coarse_block_proof, // proves, for larger blocks of rays, the part before all roots
-    block_mask,    // sets depth so that the next pass runs only where beams left a part to march
-    block_proof,   // proves blocks of rays together
-    first_proof,   // begins those of rays, and ends them where only the root's place was open
-    proof,         // continues them by some pieces
-    sharp_proof,   // tries undecided rays again, with bounds by the gradient
-    double_proof,  // the same in doubles
+    block_mask,   // sets depth so that the next pass runs only where beams left a part to march
+    block_proof,  // proves blocks of rays together
+    first_proof,  // begins those of rays, and ends them where only the root's place was open
+    proof,        // continues them by some pieces
+    sharp_proof,  // tries undecided rays again, with bounds by the gradient
+    double_proof, // the same in doubles
 };
 
 enum class When {
@@ -98,6 +99,8 @@ struct BeamLevel {
     BeamLists lists = BeamLists::none;
     double front = 1;    // fraction of the part to be marched
     int square_bits = 0; // squares of 2^bits of its blocks are kept apart: march/beam_place.glsl
+    // By models of F, which also settle blocks: march/beam_by_models.frag. Otherwise by intervals.
+    bool by_models = false;
 };
 
 // The number of lists per block of the level.
@@ -113,7 +116,10 @@ Passes without_fused_pass(Passes passes);
 // The programs that draw a scene, in the order of a frame, and the layout of their values.
 struct Passes : FieldStorage {
     std::vector<Pass> list;
-    std::vector<BeamLevel> beams;  // each within the one before it
+    std::vector<BeamLevel> beams; // each within the one before it
+    // The fused pass is drawn over squares of blocks: render/block_squares.h. Otherwise over a
+    // mask.
+    bool draws_squares = false;
     int light_beams = 0;           // a bit for each light whose shadow rays use its own beams
     Stage stage = Stage::fragment; // of march, shadow and mirror; other passes are fragment shaders
     int state_textures = 2;        // for a ray's state between passes

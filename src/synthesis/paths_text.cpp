@@ -118,13 +118,13 @@ Pass beyond_pass(const scene::Scene& scene, const Passes& passes) {
     text.file("paths/in_matter.glsl");
     text.file("paths/beyond.frag");
     return std::move(text).pass(Role::glass_beyond, "glass beyond", When::until_rays_end,
-                                Cover::rectangles);
+                                Cover{Cover::Area::rectangles});
 }
 
 Pass path_pass(const scene::Scene& scene, Role role, const char* name, const char* file) {
     ShaderText text;
     add_path(text, scene);
-    return pass_over_paths(std::move(text), role, name, file, Cover::rectangles);
+    return pass_over_paths(std::move(text), role, name, file, Cover{Cover::Area::rectangles});
 }
 
 // Where paths begin on this surface, or before it.
@@ -215,13 +215,13 @@ void add_seen_by_path(ShaderText& text, const scene::Scene& scene) {
 std::vector<Pass> path_passes(const scene::Scene& scene, const Passes& passes) {
     std::vector<Pass> all;
     all.push_back(begins_pass(scene));
-    all.push_back(meeting_pass(scene, passes, Role::glass_first, "glass first", "paths/first.frag",
-                               Cover::whole));
+    all.push_back(
+        meeting_pass(scene, passes, Role::glass_first, "glass first", "paths/first.frag", Cover{}));
     all.push_back(march_pass(scene, passes, Origin::glass, When::until_rays_end));
     all.push_back(surface_pass(scene, passes, Origin::glass, When::until_rays_end));
     if (has_glass(scene)) all.push_back(beyond_pass(scene, passes));
     all.push_back(meeting_pass(scene, passes, Role::glass_next, "glass next", "paths/next.frag",
-                               Cover::rectangles));
+                               Cover{Cover::Area::rectangles}));
     if (is_first(scene)) {
         all.push_back(path_pass(scene, Role::glass_copy, "glass copy", "paths/copy.frag"));
         all.push_back(path_pass(scene, Role::glass_mask, "glass mask", "glass/mask.frag"));

@@ -22,7 +22,7 @@ inline bool follows_paths(const scene::Scene& scene) { return !scene.among.matte
 
 // What the passes of rays through glass are drawn over. Among several surfaces late rays are few.
 inline Cover cover_of_paths(const scene::Scene& scene) {
-    return follows_paths(scene) ? Cover::rectangles : Cover::whole;
+    return {follows_paths(scene) ? Cover::Area::rectangles : Cover::Area::whole};
 }
 
 // Adds pixel_ray() for paths. Needs the eye's as eye_ray().

@@ -6,6 +6,7 @@
 #include "formula/glsl/glsl_model.h"
 #include "synthesis/beam_text.h"
 #include "synthesis/march_text.h"
+#include "synthesis/model_text.h"
 #include "synthesis/shader_text.h"
 #include "synthesis/surfaces_text.h"
 
@@ -21,26 +22,10 @@ bool goes_by_models(const formula::Field& field, ProofBounds bounds) {
     return bounds != ProofBounds::by_gradient && formula::modelled_degree(field) > 0;
 }
 
-// Each needs what add_enclosures adds.
-void add_models(ShaderText& text, const formula::Field& field, const std::string& type,
-                const std::string& file, formula::Numbers numbers) {
-    text.file("proof/model_errors.glsl");
-    text.file(file);
-    text.file_again("proof/model_operations.glsl");
-    text.generated("generated: F on models", formula::glsl_value_model(field, type, numbers));
-}
-
 // Adds models of F around points.
 void add_value_models(ShaderText& text, const formula::Field& field, formula::Numbers numbers) {
-    add_models(text, field, "PointModel", "proof/model_point.glsl", numbers);
+    add_models(text, field, "PointModel", "models/point.glsl", numbers);
     text.file("proof/value_by_model.glsl");
-}
-
-// Adds models of F over pieces of a ray, or of a block's beam.
-void add_piece_models(ShaderText& text, const formula::Field& field, const std::string& file,
-                      formula::Numbers numbers = formula::Numbers::floats) {
-    add_models(text, field, "Model", file, numbers);
-    text.file("proof/first_reach.glsl");
 }
 
 // What a proof by bounds asks of the field.
@@ -85,17 +70,13 @@ std::vector<FieldFunction> samples_of_ray(const formula::Field& field, const Fie
     return samples;
 }
 
-void add_inside_bounds(ShaderText& text, const scene::Scene& scene) {
-    const bool box = scene.surface.bounds.shape == scene::Bounds::Shape::box;
-    text.file(box ? "proof/inside_box.glsl" : "proof/inside_sphere.glsl");
-}
-
 // Adds what a ray's proof begins with: the part it is of, the boxes around it, what F can be in
 // one.
 void add_proof(ShaderText& text, const scene::Scene& scene, const Passes& passes,
                ProofBounds bounds) {
     add_ended_ray(text, scene);
     if (has_lists(passes)) text.define("LISTS", 1);
+    if (settles_blocks(passes)) text.define("TRIMMED", 1);
     add_entrance(text, passes, !passes.beams.empty());
     text.file("proof/rounding.glsl");
     if (has_lists(passes)) text.file("proof/list_of_ray.glsl");
@@ -129,9 +110,8 @@ void add_packed(ShaderText& text) {
 void add_ray_models(ShaderText& text, const formula::Field& field, formula::Numbers numbers) {
     add_value_models(text, field, numbers);
     const bool again = numbers == formula::Numbers::doubles;
-    add_piece_models(text, field, again ? "proof/model_turning_ray.glsl" : "proof/model_ray.glsl",
-                     numbers);
-    text.file("proof/model_of_piece.glsl");
+    add_piece_models(text, field, again ? "models/turning_ray.glsl" : "models/ray.glsl", numbers);
+    text.file("models/piece_of_ray.glsl");
     text.file("proof/prove_by_models.glsl");
 }
 
@@ -156,9 +136,10 @@ Pass block_proof(const scene::Scene& scene, const Passes& passes, Role role) {
     text.define("SQUARES_APART", beam_square);
     text.file("march/beam_place.glsl");
     if (by_models) {
-        text.define(is_coarse ? "COARSE" : "COARSE_BLOCK", coarse_proved_block);
+        if (!settles_blocks(passes))
+            text.define(is_coarse ? "COARSE" : "COARSE_BLOCK", coarse_proved_block);
         add_enclosures(text, field, passes, {});
-        add_piece_models(text, field, "proof/model_block.glsl");
+        add_piece_models(text, field, "models/block.glsl");
     } else {
         add_enclosures(text, field, passes, samples_of_block());
     }
@@ -169,14 +150,20 @@ Pass block_proof(const scene::Scene& scene, const Passes& passes, Role role) {
     text.file("proof/rounding.glsl");
     text.file("proof/block_outcome.glsl");
     if (has_lists(passes)) text.define("LISTS", 1);
+    if (settles_blocks(passes)) text.define("TRIMMED", 1);
     add_beam_of_block(text, scene, passes, block);
     if (has_lists(passes)) text.file("proof/list_of_block.glsl");
     if (by_models) {
-        text.file("proof/piece_of_block.glsl");
+        text.file("models/piece_of_block.glsl");
         text.file("proof/ends_of_block.glsl");
         if (!is_coarse) {
             add_inside_bounds(text, scene);
+            text.file("models/box_within_bounds.glsl");
             text.file("proof/roots_of_block.glsl");
+            if (settles_blocks(passes)) {
+                text.file("march/slab.glsl");
+                text.file("proof/first_roots.glsl");
+            }
         }
     }
     text.file(by_models ? "proof/block_by_models.frag" : "proof/block.frag");
@@ -186,11 +173,13 @@ Pass block_proof(const scene::Scene& scene, const Passes& passes, Role role) {
 
 Pass block_mask(const Passes& passes) {
     ShaderText text;
+    if (settles_blocks(passes)) text.define("TRIMMED", 1);
     text.define("BLOCK", proved_block);
     text.define("SQUARES_APART", beam_square);
     text.file("march/beam_place.glsl");
     define_parent(text, passes.beams.back());
     text.file("proof/block_outcome.glsl");
+    text.file("march/part_of_beam.glsl");
     text.file("proof/block_mask.frag");
     return std::move(text).pass(Role::block_mask, "block mask", When::once_a_tile);
 }
@@ -281,7 +270,8 @@ formula::Cost cost_of_piece(const formula::Field& field, const FieldStorage& sto
 std::vector<Pass> proof_passes(const scene::Scene& scene, const Passes& passes) {
     std::vector<Pass> list;
     if (is_among(scene)) list.push_back(ending_of_surface(scene));
-    if (goes_by_models(*scene.surface.field, ProofBounds::natural))
+    // Beams by models have proved as much.
+    if (goes_by_models(*scene.surface.field, ProofBounds::natural) && !settles_blocks(passes))
         list.push_back(block_proof(scene, passes, Role::coarse_block_proof));
     if (lies_in_beams(passes, proved_block)) list.push_back(block_mask(passes));
     list.push_back(block_proof(scene, passes, Role::block_proof));

@@ -80,8 +80,8 @@ bool has_flat_shading(const scene::Scene& scene, Draws draws) {
     return scene.lights.size() == 1 && !keeps;
 }
 
-Cover cover(const scene::Scene& scene, Draws draws) {
-    return has_flat_shading(scene, draws) ? Cover::shaded_flat : Cover::whole;
+Cover cover(const scene::Scene& scene, Draws draws, bool in_squares = false) {
+    return {in_squares ? Cover::Area::squares : Cover::Area::whole, has_flat_shading(scene, draws)};
 }
 
 void add_matter_color(ShaderText& text, const scene::Scene& scene) {
@@ -147,29 +147,54 @@ bool can_fuse(const scene::Scene& scene, const std::vector<Channel>& channels, i
     return is_plain(scene) && !contains(channels, Channel::velocity) && drawn <= most;
 }
 
-Pass fused_pass(const scene::Scene& scene, const Passes& passes) {
-    ShaderText text;
-    define_state(text, passes);
-    text.define("LIGHTS", int(scene.lights.size()));
-    std::vector<FieldFunction> functions = passes.samples;
-    if (!passes.march_takes_gradient) functions.push_back(FieldFunction::gradient);
-    add_field(text, *scene.surface.field, through_copies(passes), functions,
-              painting_functions(scene, passes));
-    add_ray(text, scene);
-    add_march(text, scene, passes, Origin::eye, Draws::one);
+namespace {
+
+// Adds what shades a ray in the draw that marches it.
+void add_shade_of_ray(ShaderText& text, const scene::Scene& scene, const Passes& passes) {
     add_picture(text, scene, Draws::one);
     add_color(text, scene);
     text.file("shade/lambert.glsl");
     add_gradient(text, scene, passes);
     add_channels(text, scene, passes.attachments, Draws::one);
     text.file("shade/shade.glsl");
+}
+
+// Begins with the field, of which marching takes these functions, and the ray.
+ShaderText begin_fused(const scene::Scene& scene, const Passes& passes,
+                       std::vector<FieldFunction> functions) {
+    ShaderText text;
+    define_state(text, passes);
+    text.define("LIGHTS", int(scene.lights.size()));
+    if (!passes.march_takes_gradient) functions.push_back(FieldFunction::gradient);
+    add_field(text, *scene.surface.field, through_copies(passes), functions,
+              painting_functions(scene, passes));
+    add_ray(text, scene);
+    return text;
+}
+
+} // namespace
+
+Pass fused_pass(const scene::Scene& scene, const Passes& passes) {
+    ShaderText text = begin_fused(scene, passes, passes.samples);
+    add_march(text, scene, passes, Origin::eye, Draws::one);
+    add_shade_of_ray(text, scene, passes);
     if (is_among(scene)) {
         add_keep_nearest(text, scene, passes);
         text.file("surfaces/fused.frag");
     } else {
         text.file("shade/fused.frag");
     }
-    return std::move(text).pass(Role::fused, "fused", When::once_a_tile, cover(scene, Draws::one));
+    return std::move(text).pass(Role::fused, "fused", When::once_a_tile,
+                                cover(scene, Draws::one, passes.draws_squares));
+}
+
+Pass settled_pass(const scene::Scene& scene, const Passes& passes) {
+    ShaderText text = begin_fused(scene, passes, {FieldFunction::directional});
+    add_settled_march(text, passes);
+    add_shade_of_ray(text, scene, passes);
+    text.file("shade/settled.frag");
+    return std::move(text).pass(Role::settled, "settled", When::once_a_tile,
+                                cover(scene, Draws::one, passes.draws_squares));
 }
 
 Pass mask_pass(const scene::Scene& scene, const Passes& passes) {

@@ -23,6 +23,8 @@ std::vector<Channel> written_channels(const std::vector<Channel>& channels);
 // `attachments`: channels that are written. Else there are passes.
 bool can_fuse(const scene::Scene& scene, const std::vector<Channel>& channels, int attachments);
 Pass fused_pass(const scene::Scene& scene, const Passes& passes);
+// The same where the beams by models have settled a block.
+Pass settled_pass(const scene::Scene& scene, const Passes& passes);
 Pass mask_pass(const scene::Scene& scene, const Passes& passes);
 
 // The beginning of a pass that shades what further rays see of one surface among several: what its

@@ -41,6 +41,10 @@ void ShaderText::define(std::string_view name, int value) {
     text_ += fmt::format("#define {} {}\n", name, value);
 }
 
+void ShaderText::define(std::string_view name, std::string_view text) {
+    text_ += fmt::format("#define {} {}\n", name, text);
+}
+
 void ShaderText::generated(std::string_view what, const std::string& text) {
     text_ += fmt::format("\n// {}\n{}", what, text);
 }
@@ -55,9 +59,10 @@ Pass ShaderText::pass(Role role, std::string name, When when, Cover cover) && {
     pass.text = std::move(text_);
     if (stage_ == Stage::fragment) {
         pass.vertex = "#version 330 core\n";
-        if (cover == Cover::shaded_flat) pass.vertex += "#define FLAT_SHADING\n";
+        if (cover.shaded_flat) pass.vertex += "#define FLAT_SHADING\n";
         std::vector<std::string> files{"fullscreen.vert"};
-        if (cover == Cover::rectangles) files.insert(files.begin(), "rectangles.glsl");
+        if (cover.area == Cover::Area::rectangles) files.insert(files.begin(), "rectangles.glsl");
+        if (cover.area == Cover::Area::squares) files.insert(files.begin(), "squares.glsl");
         for (const std::string& file : files) pass.vertex += read_shader(file);
         pass.files.insert(pass.files.begin(), files.begin(), files.end());
     }

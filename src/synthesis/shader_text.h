@@ -11,9 +11,13 @@
 
 namespace isomotion::synthesis {
 
-// What a pass in fragments is drawn over. `shaded_flat`: the whole picture, and fragments get their
-// shading inputs from the vertex shader.
-enum class Cover { whole, shaded_flat, rectangles };
+// What a pass in fragments is drawn over. `shaded_flat`: fragments get their shading inputs from
+// the vertex shader.
+struct Cover {
+    enum class Area { whole, rectangles, squares };
+    Area area = Area::whole;
+    bool shaded_flat = false;
+};
 
 class ShaderText {
 public:
@@ -29,13 +33,14 @@ public:
     // Adds the version of a file for the stage: the first name for fragment shaders.
     void file_of_stage(const std::string& fragment, const std::string& compute);
     void define(std::string_view name, int value);
+    void define(std::string_view name, std::string_view text);
     void generated(std::string_view what, const std::string& text);
 
     const std::string& text() const { return text_; }
     const std::vector<std::string>& files() const { return files_; }
 
     // The pass with this text.
-    Pass pass(Role role, std::string name, When when, Cover cover = Cover::whole) &&;
+    Pass pass(Role role, std::string name, When when, Cover cover = {}) &&;
 
 private:
     std::vector<std::string> files_;

@@ -294,8 +294,8 @@ TEST_P(Hermite, GivingUpIsReported) {
     for (const bool beam : {false, true}) {
         SCOPED_TRACE(beam);
         const View view{2.4, 48, beam};
-        const Picture tired =
-            look(beam ? "x^2 + y^2 + z^2 - 1" : "x^2 + y^2 + z^2 - 1e-4", view, 1.5, "limit = 2\n");
+        const Picture tired = look(beam ? "exp(x^2 + y^2 + z^2) - 2.7" : "x^2 + y^2 + z^2 - 1e-4",
+                                   view, 1.5, "limit = 2\n");
         EXPECT_GT(count(tired, Verdict::step_limit), 500);
         EXPECT_EQ(count(tired, Verdict::hit), 0);
         for (const float evaluations : tired.frame.find("evaluations")->samples) {

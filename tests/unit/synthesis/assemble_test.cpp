@@ -164,8 +164,11 @@ TEST_F(Assemble, NoValueIsInTheTextOfAnyPass) {
             for (const Pass& pass : assemble(one, {}, stage).list) roles.insert(pass.role);
         }
     }
-    const Passes polynomial = assemble(scene_of(surface_text("x") + "certify = true\n"));
-    for (const Pass& pass : polynomial.list) roles.insert(pass.role);
+    for (const char* method : {"amp-sign", "hermite"}) {
+        const std::string polynomial = surface_text("x", every_bounds[0], method);
+        for (const Pass& pass : assemble(scene_of(polynomial + "certify = true\n")).list)
+            roles.insert(pass.role);
+    }
     for (const auto& described : {two_surfaces, two_plain_surfaces, proved_surfaces, with_glass}) {
         const std::vector<Passes> one = passes_of_surfaces(described("0.25"));
         const std::vector<Passes> other = passes_of_surfaces(described("0.5"));
@@ -276,7 +279,7 @@ TEST_F(Assemble, TheBoundsShapeChangesOneFile) {
     clip_box.insert("// shaders/march/clip_box.glsl");
     Lines clip_sphere = lines_of(read_shader("march/clip_sphere.glsl"));
     clip_sphere.insert("// shaders/march/clip_sphere.glsl");
-    for (const Role role : {Role::march, Role::shade, Role::fused, Role::mask}) {
+    for (const Role role : {Role::march, Role::shade, Role::fused}) {
         const Lines b = lines_of(text_of(box, role)), s = lines_of(text_of(sphere, role));
         EXPECT_EQ(without(b, s), without(clip_box, clip_sphere));
         EXPECT_EQ(without(s, b), without(clip_sphere, clip_box));
@@ -428,6 +431,8 @@ TEST_F(Assemble, EveryShaderFileIsUsedBySomeScene) {
         texts.push_back(surface_text("x", bounds, "hermite") + every_effect.back());
         texts.push_back(surface_text("abs(x)", bounds, "hermite"));            // with kinks alone
         texts.push_back(surface_text("(x^2 - y)^2 - z^3", bounds, "hermite")); // squares
+        texts.push_back(surface_text("x^2 - y", bounds, "hermite") +
+                        "certify = true\n"); // settled, proved
         texts.push_back(blobs_text(75, bounds, "hermite"));
         // by place: smooth, with kinks, with poles, squares
         const std::string d = "((x - cx)^2 + (y - cy)^2 + (z - cz)^2)";

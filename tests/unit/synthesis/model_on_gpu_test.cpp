@@ -75,15 +75,15 @@ struct Kind {
     const char* packed;
 };
 
-constexpr Kind block{"block", "proof/model_block.glsl",
+constexpr Kind block{"block", "models/block.glsl",
                      "md_model(a.x, a.yzw, b.xyz, c.xyz, b.w, c.w)",
                      "first = vec4(f.c, f.l); second = vec4(f.d, f.error); third = vec4(f.o, "
                      "f.slope_error);"};
-constexpr Kind ray{"ray", "proof/model_ray.glsl", "Model(a.xyz, b.xyz, a.w, b.w)",
+constexpr Kind ray{"ray", "models/ray.glsl", "Model(a.xyz, b.xyz, a.w, b.w)",
                    "first = vec4(f.c, f.error); second = vec4(f.aside, f.slope_error); third = "
                    "vec4(0.0);"};
 
-constexpr Kind turning_ray{"turning ray", "proof/model_turning_ray.glsl",
+constexpr Kind turning_ray{"turning ray", "models/turning_ray.glsl",
                            "Model(a.xyz, b.xyz, c.xyz, a.w, b.w)",
                            "first = vec4(f.c, f.error); second = vec4(f.aside, f.slope_error); "
                            "third = vec4(f.turn, 0.0);"};
@@ -93,17 +93,17 @@ constexpr std::array kinds{&block, &ray, &turning_ray};
 std::string shader(const formula::Field& field, const FieldStorage& storage, const Kind& kind) {
     ShaderText text;
     add_enclosures(text, field, storage, {});
-    text.file("proof/model_errors.glsl");
-    text.file("proof/model_point.glsl");
+    text.file("models/errors.glsl");
+    text.file("models/point.glsl");
     if (std::string_view(kind.name) == "block") {
         // It has a sum of its own.
         ShaderText other;
         add_enclosures(other, field, storage, {});
-        other.file("proof/model_errors.glsl");
+        other.file("models/errors.glsl");
         text = std::move(other);
     }
     text.file(kind.file);
-    text.file_again("proof/model_operations.glsl");
+    text.file_again("models/operations.glsl");
     text.generated("F", formula::glsl_value_model(field, "Model"));
     text.generated("models a pixel", fmt::format(R"(
 uniform sampler2D coordinates;

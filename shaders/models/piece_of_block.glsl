@@ -8,6 +8,7 @@ struct Across {
 Across across_block(ivec2 block) {
     vec2 half_size = 0.5 * float(BLOCK - 1) * picture.xy;
     vec2 at = (vec2(block * BLOCK) + picture.zw + 0.5) * picture.xy - 1.0 + half_size;
+    half_size += around_middles * picture.xy;
     return Across(at.x * ray_right.xyz + at.y * ray_up.xyz, half_size.x * ray_right.xyz,
                   half_size.y * ray_up.xyz);
 }

@@ -1,5 +1,0 @@
-// Whether a point is inside the bounds, a box, however rounded. Here these are grown by tube.z.
-bool inside_bounds(vec3 p) {
-    vec3 inset = vec3(3.0 * tube.z);
-    return all(greaterThan(p, bounds_min.xyz + inset)) && all(lessThan(p, bounds_max.xyz - inset));
-}
