@@ -1,6 +1,6 @@
-// Draws one triangle over the whole viewport, or rectangles or squares in it. Passes the frame on to the fragments as flat values,
-// which cost software renderers nothing; each vec4 read from a block costs every pixel as much as
-// several operations.
+// Draws one triangle over the whole viewport, or rectangles or squares in it. Passes the frame on to the
+// fragments as flat values, which cost software renderers nothing; each vec4 read from a block costs every
+// pixel as much as several operations.
 layout(std140) uniform Frame {
     vec4 frame[10];
 };

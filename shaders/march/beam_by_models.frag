@@ -6,7 +6,7 @@
 // piece in which F is monotone along all rays, and falls towards 0, proposes where the roots are: on the plane
 // on which its model is 0 up to the model's other terms. A slab about this plane is the next piece. If F is
 // monotone in the slab, too, and changes its sign from one face to the other for all rays, each
-// has one root there. None comes before: F keeps its sign up to `low`, and from there to the slab it
+// has one root there. None comes before: F keeps its sign up to `low`, within the bounds, and from there to the slab it
 // is monotone in the direction in which it goes through 0 in the slab.
 
 // Of tau, empty without roots; .z is 1 if the block is settled. Up to .w alone it may have roots: for proofs
@@ -29,11 +29,10 @@ float least_slope(Model f) {
     return abs(f.l.z) - turn;
 }
 
-// Whether F changes its sign once along each ray from face to face. Slopes are then within a fifth of that in
-// the middle, so that Newton's steps from anywhere in the slab converge: newton.glsl.
+// Whether F changes its sign once along each ray, from face to face.
 bool holds_roots(Model f) {
     precise float at_faces = abs(f.l.z) - 1.000001 * (abs(f.c) + abs(f.l.x) + abs(f.l.y) + beside_linear(f));
-    return at_faces > 0.0 && least_slope(f) > 0.8 * abs(f.l.z);
+    return at_faces > 0.0 && least_slope(f) > 0.0;
 }
 
 // The slab about the plane on which the linear part of a piece's model is 0.
@@ -54,7 +53,7 @@ void main() {
     float low = whole.low, high = whole.high, piece_length = 2.0 * whole.first;
     Piece slab = Piece(0.0, 0.0, vec2(0.0), vec2(0.0));
     bool is_slab = false, was_slab = false, is_settled = false, backwards = false, open = low < high;
-    int k = 0;
+    int longer = 0, k = 0;
     do { // as in prove.glsl
         if (!open) break;
         float begin = backwards ? max(high - piece_length, low) : low;
@@ -86,14 +85,16 @@ void main() {
             bool is_free = reach >= 2.0 || !meets_bounds(x, y, z);
             // In sixteenths, so that rounding hardly moves where rays begin.
             float done = is_free ? 1.0 : floor(7.99 * reach) / 16.0;
-            is_slab = !is_free && !was_slab && !backwards && g0 > rounding && l < 0.0 && least_slope(f) > 0.0;
-            if (is_slab) {
-                slab = slab_in(piece, f);
-                is_slab = slab.middle + abs(slab.lean.x) + abs(slab.lean.y) - slab.half_length < end - 16.0 * off;
-            }
+            bool falls = !is_free && !was_slab && !backwards && g0 > rounding && l < 0.0 && least_slope(f) > 0.0;
+            slab = slab_in(piece, f);
+            float leans = abs(slab.lean.x) + abs(slab.lean.y);
+            float rounded = 4.0 * IM_DRIVER_ERROR * (abs(slab.middle) + leans + slab.half_length);
+            is_slab = falls && slab.middle + leans - slab.half_length < end - 4.0 * off - rounded;
             if (!is_slab) {
                 float way_length = end - begin;
-                piece_length = (is_free ? 2.0 : done > 0.0 && !backwards ? max(done, 0.2) : 0.3) * way_length;
+                bool lengthens = is_free || falls && longer < 3;
+                longer += int(falls);
+                piece_length = (lengthens ? 2.0 : done > 0.0 && !backwards ? max(done, 0.2) : 0.3) * way_length;
                 if (backwards && is_free) high = begin;
                 if (!backwards) low = is_free ? end : max(low + done * way_length - off, low);
                 was_slab = false;

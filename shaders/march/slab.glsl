@@ -9,5 +9,6 @@ vec4 slab_of(ivec2 block, int bits) {
 
 // Its middle on the ray of a pixel, which is counted from the block's corner; `side`: of the block.
 float middle_of_slab(vec4 slab, vec2 pixel, int side) {
-    return slab.x + dot(slab.yz, pixel * (2.0 / float(side - 1)) - 1.0);
+    precise float middle = slab.x + dot(slab.yz, pixel * (2.0 / float(side - 1)) - 1.0);
+    return middle;
 }

@@ -1,4 +1,4 @@
-// Operations of all kinds of models; MODEL is the kind. Needs a file of shaders/proof/ that defines
+// Operations of all kinds of models; MODEL is the kind. Needs a file of shaders/models/ that defines
 // it.
 
 MODEL md_subtract(MODEL a, MODEL b) {

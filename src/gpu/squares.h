@@ -20,11 +20,11 @@ public:
     /// Every driver that we know draws points of 63 pixels.
     static constexpr int longest_side = 56;
 
-    /// Replaces all. Coordinates and sides are multiples of 8, below 16384. Throws ResourceError if
-    /// there are too many.
+    /// Replaces all. Coordinates and sides are multiples of 8; sides are at most longest_side.
+    /// Throws ResourceError if there are too many.
     void set(std::span<const Square> squares);
 
-    /// A word each: (x + 2^14 y + 2^28 side) / 8, with x and y below 2^14.
+    /// A word each: x, y and the side in parts of 8 pixels, of 14, 14 and 4 bits.
     const IntegerBuffer& words() const { return words_; }
 
     void draw() const;

@@ -96,7 +96,7 @@ Blocks blocks_in_bounds(const FrameBlock& frame, bool is_box, const gpu::Rectang
     const double depth = glm::dot(rays.axis, forward);
     const double middle = glm::dot(centre - rays.origin, forward) / depth;
     const double half = 1.001 * radius / std::abs(depth);
-    const Depths depths{rays.w == 0 ? middle - half : std::max(middle - half, -1.0), middle + half};
+    const Depths depths{std::max(middle - half, -1.0), middle + half};
 
     const glm::dvec2 pixel(frame.picture.x, frame.picture.y);
     const double half_block = 0.5 * Blocks::side;

@@ -74,8 +74,9 @@ glm::vec4 beam_range(const scene::SceneAt& now, int width, int height, const sce
         scene::ray_rounding(rays, now.bounds, scene::Norm::length).at_depth(reach);
     const double half = 1.001 * now.bounds.radius / depth;
     const double pixel = 2 * glm::length(rays.up) / height;
-    return glm::dvec4(rays.parallel ? middle - half : std::max(middle - half, -1.0), middle + half,
-                      0.5 * block * pixel / depth, beam_roundings * rounding);
+    // Rays begin at the eye, at -1; a light's eye is outside of the bounds.
+    return glm::dvec4(std::max(middle - half, -1.0), middle + half, 0.5 * block * pixel / depth,
+                      beam_roundings * rounding);
 }
 
 std::vector<glm::vec4> shading_block(const scene::Scene& scene, const scene::SceneAt& now,

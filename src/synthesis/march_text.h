@@ -21,7 +21,7 @@ enum class Draws { one, several };
 void add_march(ShaderText& text, const scene::Scene& scene, const Passes& passes, Origin origin,
                Draws draws = Draws::several);
 
-// Defines march() for rays whose first root is known to lie in a piece, and enter_settled(), which
+// Defines march() for rays whose first root is known to lie in a piece, and begin_in_slab(), which
 // tells that piece. After the field and the ray.
 void add_settled_march(ShaderText& text, const Passes& passes);
 

@@ -173,7 +173,6 @@ Pass block_proof(const scene::Scene& scene, const Passes& passes, Role role) {
 
 Pass block_mask(const Passes& passes) {
     ShaderText text;
-    if (settles_blocks(passes)) text.define("TRIMMED", 1);
     text.define("BLOCK", proved_block);
     text.define("SQUARES_APART", beam_square);
     text.file("march/beam_place.glsl");

@@ -81,7 +81,7 @@ bool meets(const View& view, int x, int y) {
     const glm::dvec2 at = (glm::dvec2(x, y) + 0.5) * glm::dvec2(f.picture.x, f.picture.y) - 1.0;
     const glm::dvec3 across = at.x * glm::dvec3(f.ray_right) + at.y * glm::dvec3(f.ray_up);
     const double w = double(f.ray_axis.w);
-    for (double tau = -1; tau <= 2; tau += 1.0 / 256) {
+    for (double tau = -1; tau <= 2; tau += 1.0 / 128) {
         const glm::dvec3 p =
             glm::dvec3(f.ray_origin) + tau * glm::dvec3(f.ray_axis) + (1 + w * tau) * across;
         const bool inside =
@@ -97,14 +97,14 @@ TEST(BlockSquares, HoldEveryRayThatMeetsTheBounds) {
     const unsigned seed = 2;
     std::mt19937 random(seed);
     int open = 0, needed = 0;
-    for (int k = 0; k < 12; ++k) {
+    for (int k = 0; k < 4; ++k) {
         const View view = random_view(random);
         const Blocks blocks =
             blocks_in_bounds(view.frame, view.is_box, {0, 0, view.width, view.height});
         for (int y = 0; y < blocks.up; ++y) {
             for (int x = 0; x < blocks.across; ++x) {
                 bool any = false;
-                for (int j = 0; j < Blocks::side * Blocks::side && !any; j += 3)
+                for (int j = 0; j < Blocks::side * Blocks::side && !any; j += 5)
                     any = meets(view, Blocks::side * x + j % 8, Blocks::side * y + j / 8);
                 const bool is_open = blocks.at(x, y) == BlockKind::open;
                 ASSERT_TRUE(is_open || !any)
@@ -114,7 +114,7 @@ TEST(BlockSquares, HoldEveryRayThatMeetsTheBounds) {
             }
         }
     }
-    EXPECT_GT(needed, 100);
+    EXPECT_GT(needed, 50);
     EXPECT_LT(open, 1.6 * needed); // few more than are needed
 }
 

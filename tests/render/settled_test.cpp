@@ -75,7 +75,12 @@ TEST_P(Settled, RaysOfAnyCameraFindWhatOthersFind) {
                                                               // surface
           "position = [0.1, 0.2, 0.3]\ntarget = [1, 1, 1]\n", // within both
           "position = [3, 1, 2]\ntarget = [0, 0, 0]\nprojection = 'orthographic'\nheight = 1.7\n",
-          "position = [40, 3, 2]\ntarget = [0, 0, 0]\nfov = 3\n"}) {
+          "position = [40, 3, 2]\ntarget = [0, 0, 0]\nfov = 3\n",
+          // the eye of parallel rays before what they would meet behind it, and within the surface
+          "position = [0.5, 0.1, 0.2]\ntarget = [0, 0, 0]\nprojection = 'orthographic'\nheight = "
+          "1.7\n",
+          "position = [0.2, 0.1, 0.05]\ntarget = [0, 0, 0]\nprojection = 'orthographic'\nheight = "
+          "0.5\n"}) {
         for (const char* bounds :
              {"{ sphere = 1.3 }", "{ box = [[-0.7, -0.8, -0.9], [0.6, 0.7, 0.8]] }"}) {
             SCOPED_TRACE(std::string(camera) + bounds);
@@ -95,7 +100,8 @@ size = [97, 61]
     }
 }
 
-// Five planes in any order, two of them close together: whichever a ray meets first is seen, to a fifth of a pixel.
+// Five planes in any order, two of them close together: whichever a ray meets first is seen, to a
+// fifth of a pixel.
 TEST_P(Settled, NoSheetIsSkippedForOneBehind) {
     std::string formula = "1", parameters;
     for (int k = 0; k < 5; ++k) {
@@ -146,14 +152,66 @@ size = [{}, {}]
     }
 }
 
+TEST_P(Settled, NothingBehindTheEyeIsSeen) {
+    const Pictures both = pictures(scene_of(R"scene([surface]
+formula = "x^4 + 2*y^4 + z^4 - x*y*z - 0.3*x - 0.15"
+bounds = { sphere = 1.3 }
+[camera]
+position = [-3, 0.1, 0.25]
+target = [-5, 0, 0]
+projection = "orthographic"
+height = 1.7
+[output]
+size = [97, 61]
+)scene"));
+    EXPECT_EQ(count(both.settled, Verdict::miss), 97 * 61);
+}
+
+// Trimmed parts of beams prove rays that end; others gave up on the way.
+TEST_P(Settled, WhatGaveUpIsNotProved) {
+    for (const char* formula : {"z^2 + 1e-8", "x^4 + 2*y^4 + z^4 - x*y*z - 0.3*x - 0.15",
+                                "x^2*y^2 + y^2*z^2 + z^2*x^2 + 1e-5"}) {
+        SCOPED_TRACE(formula);
+        const scene::Scene scene = scene_of(fmt::format(R"scene([surface]
+formula = "{}"
+bounds = {{ sphere = 1.3 }}
+[camera]
+position = [3, 1, 2]
+target = [0, 0, 0]
+[isolation]
+method = "hermite"
+limit = 3
+certify = true
+[output]
+size = [128, 128]
+)scene",
+                                                        formula));
+        std::vector<synthesis::Channel> channels = every_channel;
+        channels.push_back(synthesis::Channel::proof);
+        Renderer renderer(*context, scene, {128, 128, channels, {}});
+        const Picture picture = renderer.draw(scene::at(scene, scene.timeline.values(1)));
+        const auto& verdict = picture.frame.find("verdict")->samples;
+        const auto& proof = picture.frame.find("proof")->samples;
+        EXPECT_GT(count(picture, Verdict::step_limit), 50);
+        for (std::size_t k = 0; k < verdict.size(); ++k) {
+            if (Verdict(int(verdict[k])) != Verdict::step_limit) continue;
+            ASSERT_NE(Proof(int(proof[k])), Proof::miss) << k;
+            ASSERT_NE(Proof(int(proof[k])), Proof::hit) << k;
+        }
+    }
+}
+
 TEST_P(Settled, TilesAndPassesChangeNoBit) {
-    const scene::Scene scene = surface("barth_sextic", "[300, 280]");
-    const Picture whole = draw(*context, scene);
-    MarchPlan tiles{.tile_width = 256, .tile_height = 256, .evaluations_per_pass = 64};
-    EXPECT_TRUE(same_bits(whole.frame, draw(*context, scene, 1, tiles).frame));
-    MarchPlan steps = tiles;
-    steps.evaluations_per_pass = 1;
-    EXPECT_TRUE(same_bits(whole.frame, draw(*context, scene, 1, steps).frame));
+    for (const char* name : {"barth_sextic", "goursat", "torus_quartic"}) {
+        SCOPED_TRACE(name);
+        const scene::Scene scene = surface(name, "[300, 280]");
+        const Picture whole = draw(*context, scene);
+        MarchPlan tiles{.tile_width = 256, .tile_height = 256, .evaluations_per_pass = 64};
+        EXPECT_TRUE(same_bits(whole.frame, draw(*context, scene, 1, tiles).frame));
+        MarchPlan steps = tiles;
+        steps.evaluations_per_pass = 1;
+        EXPECT_TRUE(same_bits(whole.frame, draw(*context, scene, 1, steps).frame));
+    }
 }
 
 } // namespace
