@@ -130,7 +130,7 @@ Passes assemble(const scene::Scene& scene, const std::vector<Channel>& channels,
     };
     find_elements(true);
     if (has_copies(passes) && !copies_fit(passes)) find_elements(false);
-    if (stage == Stage::fragment && !on_web && can_settle_blocks(scene, finest_beam))
+    if (!on_web && pays_in(stage, scene, false) && can_settle_blocks(scene, finest_beam))
         passes.beams = levels_by_models(finest_beam);
     // A polynomial is solved from where the eye's rays begin, off the surface: shadow rays from the
     // light end on it.

@@ -65,9 +65,9 @@ ISOMOTION_ON_EVERY_BACKEND(StageOf);
 TEST_P(StageOf, ComputeShadersWithoutBeamsHitTheSame) {
     for (const char* name : {"barth_sextic", "goursat"}) {
         SCOPED_TRACE(name);
-        const scene::Scene scene = scene::load(name, {"look=none", "output.size=[61,43]"});
+        const scene::Scene scene = scene::load(name, {"look=none", "output.size=[183,129]"});
         const auto drawn = [&](StageChoice stage) {
-            RenderOptions options{61, 43, every_channel};
+            RenderOptions options{183, 129, every_channel};
             options.stage = stage;
             Renderer renderer(*context, scene, options);
             return renderer.draw(scene::at(scene, scene.timeline.values(31)));
