@@ -9,8 +9,10 @@
 // has one root there. None comes before: F keeps its sign up to `low`, within the bounds, and from there to the slab it
 // is monotone in the direction in which it goes through 0 in the slab.
 
-// Of tau, empty without roots; .z is 1 if the block is settled. Up to .w alone it may have roots: for proofs
-// (BOTH_ENDS) the walk ends with pieces from the far end, which cost rays more than they save.
+// Of tau, empty without roots; .z is 1 if the block is settled. Rays of a block that is not settled march all
+// that intervals left: rays that begin elsewhere take other samples, and find other roots where F touches 0. Proofs
+// know that there are no roots before roots.x and behind part.w. For these (BOTH_ENDS) the walk ends with pieces
+// from the far end.
 layout(location = 0) out vec4 part;
 // The slab of a settled block, in tau: its middle in the block's middle, how far it leans to
 // the outer pixels, half its thickness.
@@ -99,7 +101,7 @@ void main() {
                 if (!backwards) low = is_free ? end : max(low + done * way_length - off, low);
                 was_slab = false;
             }
-            open = is_slab || low < high && piece_length > SHORTEST;
+            open = is_slab || low < high && piece_length > 0.5 * beam.z;
 #ifdef BOTH_ENDS
             bool turns = !open && low < high && !backwards;
             if (turns) piece_length = 0.25 * (high - low);
@@ -109,8 +111,8 @@ void main() {
         }
         ++k;
     } while (open && k < beam_evaluations);
-    part = vec4(low, whole.high, 0.0, high);
-    roots = vec4(0.0);
+    part = vec4(low < whole.high ? whole.low : low, whole.high, 0.0, high);
+    roots = vec4(low, 0.0, 0.0, 0.0);
     if (is_settled) {
         float reaches = slab.half_length + abs(slab.lean.x) + abs(slab.lean.y);
         float top = slab.middle + reaches;

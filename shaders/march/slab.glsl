@@ -1,6 +1,5 @@
-// The slab of a settled block, which holds the first root of each ray, and no other root:
-// beam_by_models.frag. Needs beam_place.glsl.
-uniform sampler2D beam_roots_texture;
+// The slab of a settled block, which holds the first root of each ray, and no other root. Needs
+// beam_roots.glsl and beam_place.glsl.
 
 // In tau: its middle, how far it leans to the outer pixels, half its thickness; 0 if the block is not settled.
 vec4 slab_of(ivec2 block, int bits) {

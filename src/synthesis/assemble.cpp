@@ -131,7 +131,7 @@ Passes assemble(const scene::Scene& scene, const std::vector<Channel>& channels,
     find_elements(true);
     if (has_copies(passes) && !copies_fit(passes)) find_elements(false);
     if (!on_web && pays_in(stage, scene, false) && can_settle_blocks(scene, finest_beam))
-        passes.beams = levels_by_models(finest_beam);
+        passes.beams.push_back(level_by_models(finest_beam));
     // A polynomial is solved from where the eye's rays begin, off the surface: shadow rays from the
     // light end on it.
     if (!passes.beams.empty() && !solves && !on_web)

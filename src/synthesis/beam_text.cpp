@@ -131,8 +131,6 @@ Pass beam_pass_by_models(const scene::Scene& scene, const Passes& passes, int le
     ShaderText text;
     define_blocks(text, beam);
     if (scene.isolation.certify) text.define("BOTH_ENDS", 1);
-    // Where F may touch 0 without a change of sign, cubics need some room before that.
-    text.define("SHORTEST", scene.surface.smoothness.squares ? "beam.z" : "(0.5 * beam.z)");
     add_enclosures(text, *scene.surface.field, passes, {});
     add_piece_models(text, *scene.surface.field, "models/block.glsl");
     text.file("frame.glsl");
@@ -175,7 +173,7 @@ Pass beam_pass(const scene::Scene& scene, const Passes& passes, int level) {
 bool can_settle_blocks(const scene::Scene& scene, int finest) {
     // Between two waves of a longer polynomial no block of 8 pixels lies in a usual picture, and
     // models of more products cost more than they save.
-    constexpr int most = 10;
+    const int most = bounds_pay(*scene.surface.field) ? 10 : 8;
     const int degree = formula::modelled_degree(*scene.surface.field);
     return scene.isolation.method == scene::Method::hermite &&
            scene.isolation.beam.value_or(true) && scene.sections.empty() && !is_among(scene) &&
@@ -218,9 +216,7 @@ void add_way(ShaderText& text, const Passes& passes, bool by_beams) {
     add_entrance_file(text, by_beams);
 }
 
-std::vector<BeamLevel> levels_by_models(int finest) {
-    return {{finest, BeamLists::none, 1, 4, true}};
-}
+BeamLevel level_by_models(int finest) { return {finest, BeamLists::none, 1, 4, true}; }
 
 std::vector<BeamLevel> beam_levels(const FieldStorage& storage, int finest) {
     using enum BeamLists;

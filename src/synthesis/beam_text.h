@@ -28,7 +28,8 @@ inline bool settles_blocks(const Passes& passes) {
 
 // The levels of beams; the smallest have 8 pixels or 1.
 std::vector<BeamLevel> beam_levels(const FieldStorage& storage, int finest);
-std::vector<BeamLevel> levels_by_models(int finest);
+// The one that settles blocks, in those of intervals where there are some.
+BeamLevel level_by_models(int finest);
 Pass beam_pass(const scene::Scene& scene, const Passes& passes, int level);
 
 // Adds the code that determines where rays begin and end: by the last level of beams, or at the

@@ -158,7 +158,8 @@ void add_march(ShaderText& text, const scene::Scene& scene, const Passes& passes
                                           : "march/end_at_root.glsl");
     if (beam && settles_blocks(passes) && draws == Draws::several) {
         text.define("SETTLES", 1);
-        add_files(text, std::array<std::string_view, 3>{"slab", "begin_in_slab", "newton"});
+        add_files(text,
+                  std::array<std::string_view, 4>{"beam_roots", "slab", "begin_in_slab", "newton"});
     }
     const bool cuts = !scene.sections.empty(), tells = samples_tell_caps(scene, passes);
     if (cuts && tells) begin_turn_of_part(text);
@@ -171,10 +172,10 @@ void add_march(ShaderText& text, const scene::Scene& scene, const Passes& passes
 
 void add_settled_march(ShaderText& text, const Passes& passes) {
     define_blocks(text, passes.beams.back());
-    add_files(text, std::array<std::string_view, 8>{"slab", "begin_in_slab", "sample_directional",
-                                                    passes.march_takes_gradient ? "gradient_at_root"
-                                                                                : "end_at_root",
-                                                    "newton", "settled", "turn_point", "march"});
+    add_files(text, std::array<std::string_view, 9>{
+                        "beam_roots", "slab", "begin_in_slab", "sample_directional",
+                        passes.march_takes_gradient ? "gradient_at_root" : "end_at_root", "newton",
+                        "settled", "turn_point", "march"});
 }
 
 Pass march_pass(const scene::Scene& scene, const Passes& passes, Origin origin, When when) {

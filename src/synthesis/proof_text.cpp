@@ -49,6 +49,13 @@ void add_ended_ray(ShaderText& text, const scene::Scene& scene) {
     text.file("proof/ray_to_end.glsl");
 }
 
+// Beams by models tell proofs more than rays begin and end by.
+void add_trimmed_ends(ShaderText& text, const Passes& passes) {
+    if (!settles_blocks(passes)) return;
+    text.define("TRIMMED", 1);
+    text.file("march/beam_roots.glsl");
+}
+
 void add_by_place(ShaderText& text, const Passes& passes) {
     if (array_with_grid(passes)) text.define("GRID", 1);
     text.file("proof/by_place.glsl");
@@ -76,7 +83,7 @@ void add_proof(ShaderText& text, const scene::Scene& scene, const Passes& passes
                ProofBounds bounds) {
     add_ended_ray(text, scene);
     if (has_lists(passes)) text.define("LISTS", 1);
-    if (settles_blocks(passes)) text.define("TRIMMED", 1);
+    add_trimmed_ends(text, passes);
     add_entrance(text, passes, !passes.beams.empty());
     text.file("proof/rounding.glsl");
     if (has_lists(passes)) text.file("proof/list_of_ray.glsl");
@@ -150,7 +157,7 @@ Pass block_proof(const scene::Scene& scene, const Passes& passes, Role role) {
     text.file("proof/rounding.glsl");
     text.file("proof/block_outcome.glsl");
     if (has_lists(passes)) text.define("LISTS", 1);
-    if (settles_blocks(passes)) text.define("TRIMMED", 1);
+    add_trimmed_ends(text, passes);
     add_beam_of_block(text, scene, passes, block);
     if (has_lists(passes)) text.file("proof/list_of_block.glsl");
     if (by_models) {
@@ -161,6 +168,7 @@ Pass block_proof(const scene::Scene& scene, const Passes& passes, Role role) {
             text.file("models/box_within_bounds.glsl");
             text.file("proof/roots_of_block.glsl");
             if (settles_blocks(passes)) {
+                text.file("march/beam_roots.glsl");
                 text.file("march/slab.glsl");
                 text.file("proof/first_roots.glsl");
             }

@@ -102,7 +102,8 @@ TEST_F(Information, ShowTellsTheStage) {
 TEST_F(Information, ShowPrintsThePassesThatFramesRunInOrder) {
     const std::string all = told({"show", "sphere.toml", "--shader"});
     std::size_t before = 0;
-    for (const char* name : {"beams of 8 pixels by models", "settled", "fused"}) {
+    for (const char* name :
+         {"beams of 8 pixels", "beams of 8 pixels by models", "settled", "fused"}) {
         const std::size_t at = all.find(fmt::format("// ===== pass '{}', once a tile\n", name));
         ASSERT_NE(at, all.npos) << name;
         EXPECT_GE(at, before);
@@ -115,8 +116,8 @@ TEST_F(Information, ShowPrintsThePassesThatFramesRunInOrder) {
     EXPECT_THAT(march, Not(HasSubstr("pass 'fused'")));
     const Ending ending = run({"show", "sphere.toml", "--pass", "marhc"});
     EXPECT_EQ(ending.code, 2) << ending;
-    EXPECT_THAT(ending.err,
-                HasSubstr("it has 'beams of 8 pixels by models', 'settled', 'fused', 'march'"));
+    EXPECT_THAT(ending.err, HasSubstr("it has 'beams of 8 pixels', 'beams of 8 pixels by models', "
+                                      "'settled', 'fused', 'march'"));
 }
 
 // A frame changes uniforms only.
