@@ -113,7 +113,9 @@ void main() {
     } while (open && k < beam_evaluations);
     part = vec4(low < whole.high ? whole.low : low, whole.high, 0.0, high);
     roots = vec4(low, 0.0, 0.0, 0.0);
-    if (is_settled) {
+    // Shadow rays end on the surface: a slab leaves them too little way to tell a root from their end.
+    bool is_of_light = around_middles > 0.0;
+    if (is_settled && !is_of_light) {
         float reaches = slab.half_length + abs(slab.lean.x) + abs(slab.lean.y);
         float top = slab.middle + reaches;
         part = vec4(slab.middle - reaches, top, 1.0, top);
