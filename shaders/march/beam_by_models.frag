@@ -1,4 +1,4 @@
-// Finds which part of their way the rays of a block need to march, as beam.frag does, by models of F
+// Finds which part of their way holds the roots of a block's rays, as beam.frag does, by models of F
 // over pieces of the block's beam: models/block.glsl. It settles blocks whose rays all hit one smooth sheet:
 // it proves of a piece of the beam that it holds the first root of each of them.
 //
@@ -85,7 +85,7 @@ void main() {
         } else {
             float reach = first_reach(g0, g1, d, rounding);
             bool is_free = reach >= 2.0 || !meets_bounds(x, y, z);
-            // In sixteenths, so that rounding hardly moves where rays begin.
+            // In sixteenths, so that rounding hardly changes how far walks come and which blocks they settle.
             float done = is_free ? 1.0 : floor(7.99 * reach) / 16.0;
             bool falls = !is_free && !was_slab && !backwards && g0 > rounding && l < 0.0 && least_slope(f) > 0.0;
             slab = slab_in(piece, f);

@@ -1,7 +1,7 @@
 // Models of F along all rays that float32 may make of one, over a piece: c.x + s c.y + s^2 c.z,
 // with s from -1 at its beginning to 1 at its end. `aside` is the change with each of the points'
 // coordinates, by as much as rounding moves it. `error` and `slope_error` bound how far F and its
-// slope in s may be off. Needs interval/arithmetic.glsl and model_point.glsl.
+// slope in s may be off. Needs interval/arithmetic.glsl and point.glsl.
 //
 // Coefficients of products, and those left out, are off by at most 4 times 2^-p of the product of
 // both sums of sizes; those of sums by 2^-p of themselves. The points' coordinates are off by

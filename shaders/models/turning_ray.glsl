@@ -1,6 +1,6 @@
-// The models of model_ray.glsl, but aside + s turn is the change with each of the points'
+// The models of ray.glsl, but aside + s turn is the change with each of the points'
 // coordinates. They cost twice as much, and near nodes and double lines, where terms cancel, they
-// prove what the others leave. Needs interval/arithmetic.glsl and model_point.glsl.
+// prove what the others leave. Needs interval/arithmetic.glsl and point.glsl.
 //
 // Coefficients of products, and those left out, are off by at most 4 times 2^-p of the product of
 // both sums of sizes; those of sums by 2^-p of themselves. The points' coordinates are off by

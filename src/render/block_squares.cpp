@@ -42,6 +42,11 @@ struct Depths {
     double low = 0, high = 0;
 };
 
+// More than float32 moves a ray or the bounds by, also where these are far from the origin.
+double rounding(const glm::dvec3& centre, double size) {
+    return 1e-5 * (glm::length(centre) + size);
+}
+
 bool meet_sphere(const BlockRays& rays, const Depths& depths, const glm::dvec3& centre,
                  double radius) {
     const glm::dvec3 direction = rays.axis + rays.w * rays.middle;
@@ -49,7 +54,7 @@ bool meet_sphere(const BlockRays& rays, const Depths& depths, const glm::dvec3& 
     const double tau = std::clamp(-glm::dot(from, direction) / glm::dot(direction, direction),
                                   depths.low, depths.high);
     const double spread = std::max(1 + rays.w * depths.high, 0.0) * rays.spread;
-    return glm::length(from + tau * direction) <= (radius + spread) * (1 + 1e-5);
+    return glm::length(from + tau * direction) <= radius + spread + rounding(centre, radius);
 }
 
 bool meet_box(const BlockRays& rays, Depths depths, const glm::dvec3& least,
@@ -57,7 +62,7 @@ bool meet_box(const BlockRays& rays, Depths depths, const glm::dvec3& least,
     const glm::dvec3 direction = rays.axis + rays.w * rays.middle;
     const glm::dvec3 from = rays.origin + rays.middle;
     const double spread = std::max(1 + rays.w * depths.high, 0.0) * rays.spread +
-                          1e-5 * (glm::length(most - least) + glm::length(from));
+                          rounding(0.5 * (least + most), glm::length(most - least));
     for (int k = 0; k < 3; ++k) {
         const double low = least[k] - spread - from[k], high = most[k] + spread - from[k];
         if (direction[k] == 0) {
