@@ -1,6 +1,6 @@
 // Marches shadow rays by beams of the light. Each distant light that casts shadows has a picture of
 // the bounds. Its blocks hold the depths at which the light's rays may first meet the surface
-// (march/beam.frag). A shadow ray starts there and runs with the light to its point. If the point
+// (march/beam_by_intervals.glsl). A shadow ray starts there and runs with the light to its point. If the point
 // is hidden, the ray meets the occluder first; if it is lit, little of the ray is left.
 //
 // The pictures lie one above the other in the texture.

@@ -1,5 +1,5 @@
 // The lists of later levels are made from one of the larger beam's lists. The smallest beams have
-// no more than a front; their lists are made from the one that reaches to its end. See beam.frag.
+// no more than a front; their lists are made from the one that reaches to its end. See beam_by_intervals.glsl.
 uniform sampler2D beam_texture;
 
 void enter_parent(ivec2 block, vec2 at) {

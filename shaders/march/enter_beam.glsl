@@ -1,4 +1,4 @@
-// Restricts a ray to the part that its beam left to march, see beam.frag.
+// Restricts a ray to the part that its beam left to march, see beam_by_intervals.glsl.
 void enter_beam(inout Ray ray) {
     ivec2 at = beam_texel(ivec2(pixel_centre) / BLOCK, SQUARE_BITS);
     vec4 part = part_of_beam(at);

@@ -1,8 +1,5 @@
 // Writes the lists of beams into a buffer, elements one after the other; each beam has a part of
-// it. A list is its number of elements and its first element.
-
-layout(location = 1) out vec4 lists; // of the front and of the middle
-layout(location = 2) out vec4 list_of_all;
+// it. A list is its number of elements and its first element. `lists` are those of the front and of the middle.
 
 uniform ivec3 list; // this level's first element, limit on one list, blocks across
 layout(std430, binding = 0) buffer lists_buffer { vec4 listed[]; };

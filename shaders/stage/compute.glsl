@@ -1,4 +1,4 @@
-// Runs rays in a compute shader: one invocation per pixel, in square work groups.
+// Runs rays, or beams, in a compute shader: one invocation per pixel, or block, in square work groups.
 layout(local_size_x = WORKGROUP_SIDE, local_size_y = WORKGROUP_SIDE) in;
 
 vec2 pixel_centre = vec2(gl_GlobalInvocationID.xy) + 0.5; // in the tile, as in fragment shaders

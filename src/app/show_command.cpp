@@ -207,7 +207,7 @@ int show(const ShowArguments& arguments) {
     }
     for (int k = 0; k <= int(scene.others.size()); ++k) {
         const scene::Scene surface = scene::of_surface(scene, k);
-        const synthesis::Passes passes = synthesis::assemble(surface, {}, stage_of(arguments));
+        const synthesis::Passes passes = synthesis::assemble(surface, {}, {stage_of(arguments)});
         if (!scene.others.empty()) {
             print_result("{}surface   {}: {} of {}\n", lists ? "\n" : "// ##### ",
                          surface.surface.label, k + 1, scene.among.count);

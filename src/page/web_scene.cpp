@@ -64,8 +64,8 @@ void expect_known(const scene::Scene& scene) {
 WebSurface web_surface(scene::Scene scene) {
     WebSurface web;
     scene.isolation.certify = false;
-    web.passes = synthesis::assemble(scene, {}, synthesis::Stage::fragment, false,
-                                     synthesis::usual_beam, false, synthesis::Platform::webgl);
+    web.passes = synthesis::assemble(
+        scene, {}, {.platform = synthesis::Platform::webgl, .writes_buffers = false});
     expect_few_elements(scene, web.passes);
     synthesis::check_size(web.passes);
     web.plan = render::plan_scene(scene, web.passes, largest_tile, largest_tile, largest_tile, {});

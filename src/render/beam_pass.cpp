@@ -7,17 +7,14 @@
 
 #include <fmt/format.h>
 
+#include "gpu/context.h"
 #include "render/scene_plan.h"
+#include "render/squares_apart.h"
 
 namespace isomotion::render {
 namespace {
 
-int blocks_in(int length, int block) { return (length + block - 1) / block; }
-
-// Texels for squares of that many pixels, which are kept apart.
-int texels_of(int length, int square) { return blocks_in(length, square) * synthesis::beam_square; }
-
-int blocks_in(const MarchPlan& tile, int block) {
+int blocks_of(const MarchPlan& tile, int block) {
     return blocks_in(tile.tile_width, block) * blocks_in(tile.tile_height, block);
 }
 
@@ -26,7 +23,7 @@ int blocks_in(const MarchPlan& tile, int block) {
 int longest_list(const synthesis::BeamLevel& level, const MarchPlan& tile, int capacity) {
     if (level.lists == synthesis::BeamLists::none) return 0;
     constexpr int room = 1 << 21; // of a level
-    const int lists = blocks_in(tile, level.block) * lists_of_a_block(level);
+    const int lists = blocks_of(tile, level.block) * lists_of_a_block(level);
     return std::min(std::max(16 * level.block, room / lists), capacity);
 }
 
@@ -37,7 +34,7 @@ double part_of_lists(const synthesis::Passes& passes, const MarchPlan& plan, int
     const auto& array = passes.arrays[0];
     double wanted = 0;
     for (const auto& level : passes.beams) {
-        wanted += double(blocks_in(plan, level.block)) * lists_of_a_block(level) *
+        wanted += double(blocks_of(plan, level.block)) * lists_of_a_block(level) *
                   longest_list(level, plan, array.capacity);
     }
     const int elements = texels / array.texels; // whole ones
@@ -56,14 +53,15 @@ int evaluations_of_a_beam(const synthesis::Passes& passes, const formula::Field&
 }
 
 BeamPass::BeamPass(const synthesis::Passes& passes, const scene::Scene& scene,
-                   const MarchPlan& plan, int texels, int first_list) {
+                   const MarchPlan& plan, int texels, int first_list)
+    : computes_(passes.stage == synthesis::Stage::compute) {
     const double part = part_of_lists(passes, plan, texels, first_list);
     const int elements = passes.arrays.empty() ? 0 : passes.arrays[0].capacity;
     for (const synthesis::BeamLevel& level : passes.beams) {
         const int block = level.block, side = block << level.square_bits;
         const int length = int(part * longest_list(level, plan, elements));
         levels_.push_back(
-            {gpu::Target(texels_of(plan.tile_width, side), texels_of(plan.tile_height, side),
+            {gpu::Target(texels_apart(plan.tile_width, side), texels_apart(plan.tile_height, side),
                          level.by_models                ? 2
                          : synthesis::has_lists(passes) ? 3
                                                         : 1),
@@ -71,7 +69,7 @@ BeamPass::BeamPass(const synthesis::Passes& passes, const scene::Scene& scene,
              evaluations_of_a_beam(passes, *scene.surface.field, level.lists),
              glm::ivec3(first_list + listed_, length, blocks_in(plan.tile_width, block)),
              level.by_models});
-        listed_ += blocks_in(plan, block) * lists_of_a_block(level) * length;
+        listed_ += blocks_of(plan, block) * lists_of_a_block(level) * length;
     }
 }
 
@@ -89,16 +87,21 @@ Blocks BeamPass::blocks(const gpu::Rectangle& tile) const {
         throw std::logic_error(fmt::format("the last beams have {} pixels across", level.block));
     Blocks found(tile.width, tile.height);
     const int side = 1 << level.square_bits;
+    // Each read waits for the hardware; the less a software renderer reads, the faster.
+    const bool reads_all = !gpu::Context::current()->info().software;
+    const int row = reads_all ? level.results.width() : side;
     std::vector<float> parts;
+    if (reads_all) parts = level.results.read(0, 0, 0, row, level.results.height());
     for (int up = 0; up < found.up; up += side) {
         for (int right = 0; right < found.across; right += side) {
+            const int x = right / side * synthesis::beam_square;
+            const int y = up / side * synthesis::beam_square;
+            if (!reads_all) parts = level.results.read(0, x, y, side, side);
+            const std::size_t first = reads_all ? std::size_t(y) * std::size_t(row) + x : 0;
             const int width = std::min(side, found.across - right);
             const int height = std::min(side, found.up - up);
-            parts.resize(4 * std::size_t(width) * std::size_t(height));
-            level.results.read(0, right / side * synthesis::beam_square,
-                               up / side * synthesis::beam_square, width, height, parts);
             for (int k = 0; k < width * height; ++k) {
-                const float* part = parts.data() + 4 * k;
+                const float* part = &parts[4 * (first + std::size_t(k / width * row + k % width))];
                 found.at(right + k % width, up + k / width) =
                     part[0] < part[1]
                         ? level.by_models && part[2] > 0 ? BlockKind::settled : BlockKind::open
@@ -126,19 +129,15 @@ void BeamPass::draw(PassTable& table, std::span<const glm::vec4> ranges,
         program.set("around_middles", float(around));
         program.set("tile_origin", origin);
         program.set("list", level.list);
-        level.results.bind();
-        const int side = 1 << level.square_bits;
-        const int left = pixels.x / level.block, low = pixels.y / level.block;
-        const int right = left + blocks_in(pixels.width, level.block);
-        const int top = low + blocks_in(pixels.height, level.block);
-        for (int y = low; y < top; y += side) {
-            for (int x = left; x < right; x += side) {
-                // No blocks beyond these: they would write other blocks' lists.
-                gpu::set_viewport({x / side * synthesis::beam_square,
-                                   y / side * synthesis::beam_square, std::min(side, right - x),
-                                   std::min(side, top - y)});
-                triangle_.draw();
-            }
+        // No blocks beyond these: they would write other blocks' lists.
+        const gpu::Rectangle blocks{pixels.x / level.block, pixels.y / level.block,
+                                    blocks_in(pixels.width, level.block),
+                                    blocks_in(pixels.height, level.block)};
+        if (computes_) {
+            table.compute_beams(program, blocks, level.results);
+        } else {
+            level.results.bind();
+            draw_apart(triangle_, blocks, 1 << level.square_bits);
         }
         if (array) array->wait_for_lists();
     }

@@ -64,6 +64,7 @@ private:
 
     static void bind(const PassTable& table, const Level& level, const std::string& kind);
 
+    bool computes_; // in compute shaders, otherwise in fragment shaders
     std::vector<Level> levels_;
     int listed_ = 0;
     gpu::Fullscreen triangle_;

@@ -13,7 +13,7 @@ namespace isomotion::render {
 enum class BlockKind : std::uint8_t {
     empty,   // no ray of it has a root
     open,    // rays march
-    settled, // each ray has its first root in a known piece: shaders/march/beam_by_models.frag
+    settled, // each ray has its first root in a known piece: shaders/march/beam_by_models.glsl
 };
 
 struct Blocks {

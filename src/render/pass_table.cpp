@@ -21,6 +21,12 @@ gpu::Program compiled(const synthesis::Pass& pass) {
                : gpu::Program(pass.vertex, pass.text, pass.name);
 }
 
+// Runs the compute shader in use, one invocation for each place, with its images in `target`.
+void dispatch(glm::ivec2 places, const gpu::Target& target) {
+    for (int k = 0; k < target.attachments(); ++k) gpu::bind_image(target.texture(k), k);
+    gpu::dispatch((places + synthesis::workgroup_side - 1) / synthesis::workgroup_side);
+}
+
 void set_on(const gpu::Program& program, const synthesis::Uniforms& uniforms) {
     for (const synthesis::Uniform& uniform : uniforms) {
         std::visit(
@@ -168,11 +174,16 @@ void PassTable::march_untimed(const gpu::Program& program, const gpu::Rectangle&
         return draw(program, tile, *parts);
     }
     if (passes_.stage == synthesis::Stage::fragment) return draw(program, tile, target);
-    for (int k = 0; k < target.attachments(); ++k) gpu::bind_image(target.texture(k), k);
     const glm::ivec2 size(tile.width, tile.height);
     program.set("tile_origin", glm::ivec2(tile.x, tile.y));
     program.set("tile_size", size);
-    gpu::dispatch((size + synthesis::workgroup_side - 1) / synthesis::workgroup_side);
+    dispatch(size, target);
+}
+
+void PassTable::compute_beams(const gpu::Program& program, const gpu::Rectangle& blocks,
+                              const gpu::Target& results) const {
+    program.set("blocks", glm::ivec4(blocks.x, blocks.y, blocks.width, blocks.height));
+    dispatch({blocks.width, blocks.height}, results);
 }
 
 } // namespace isomotion::render

@@ -77,6 +77,10 @@ public:
     void march(const gpu::Program& program, const gpu::Rectangle& tile, const gpu::Target& target,
                const gpu::Rectangles* parts = nullptr) const;
 
+    // Runs a compute shader of beams for these blocks.
+    void compute_beams(const gpu::Program& program, const gpu::Rectangle& blocks,
+                       const gpu::Target& results) const;
+
     // Later passes of rays take their time by this clock, which must outlive them.
     void time_rays_by(RayClock& clock) { clock_ = &clock; }
 

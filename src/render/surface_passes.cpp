@@ -33,8 +33,12 @@ constexpr int largest_tile_of_several = 512;
 PlannedSurface::PlannedSurface(scene::Scene surface, const RenderOptions& options,
                                const gpu::ContextInfo& info)
     : scene(std::move(surface))
-    , passes(synthesis::assemble(scene, options.channels, choose_stage(options.stage, info),
-                                 info.has(4, 3), options.finest_beam, options.tells_endings))
+    , passes(synthesis::assemble(scene, options.channels,
+                                 {.stage = choose_stage(options.stage, info),
+                                  .writes_buffers = info.has(4, 3),
+                                  .finest_beam = options.finest_beam,
+                                  .tells_endings = options.tells_endings,
+                                  .pixels = std::int64_t(options.width) * options.height}))
     , plan(plan_scene(scene, checked(passes, info), options.width, options.height,
                       info.max_texture_size, options.plan,
                       operations_per_draw_at(arithmetic_speed(info).in(passes.stage)))) {

@@ -94,12 +94,14 @@ void become_glsl_es(Pass& pass) {
         text->replace(0, text->find('\n'), "#version 300 es");
 }
 
-// Rays march in compute shaders where fragment shaders have few processors, and beams are
-// fragments. On an H100 they take longer than they save (docs/performance.md), but for lists of
-// elements.
+// Whether beams by intervals do. Compute shaders are for hardware with more lanes than a picture
+// has blocks, where a walk along a beam takes longer than it saves, but for lists of elements.
 bool pays_in(Stage stage, const scene::Scene& scene, bool makes_lists) {
     return stage == Stage::fragment || makes_lists || scene.isolation.beam.value_or(false);
 }
+
+// From so many pixels on an H100 has enough blocks to settle (docs/performance.md).
+constexpr std::int64_t fewest_to_settle = 2'000'000;
 
 // Whether a gradient is so long that compiling it is felt: some 0.2 s on a software renderer,
 // growing with its length.
@@ -107,8 +109,9 @@ bool is_long(const formula::Program& gradient) { return gradient.instructions.si
 
 } // namespace
 
-Passes assemble(const scene::Scene& scene, const std::vector<Channel>& channels, Stage stage,
-                bool writes_buffers, int finest_beam, bool tells_endings, Platform platform) {
+Passes assemble(const scene::Scene& scene, const std::vector<Channel>& channels,
+                const Drawing& drawing) {
+    const auto [stage, platform, writes_buffers, finest_beam, tells_endings, pixels] = drawing;
     const scene::MethodTraits& method = scene::traits(scene.isolation.method);
     const bool on_web = platform == Platform::webgl;
     Passes passes;
@@ -130,7 +133,8 @@ Passes assemble(const scene::Scene& scene, const std::vector<Channel>& channels,
     };
     find_elements(true);
     if (has_copies(passes) && !copies_fit(passes)) find_elements(false);
-    if (!on_web && pays_in(stage, scene, false) && can_settle_blocks(scene, finest_beam))
+    const bool settling_pays = pixels >= fewest_to_settle || pays_in(stage, scene, false);
+    if (!on_web && settling_pays && can_settle_blocks(scene, finest_beam))
         passes.beams.push_back(level_by_models(finest_beam));
     // A polynomial is solved from where the eye's rays begin, off the surface: shadow rays from the
     // light end on it.

@@ -6,6 +6,7 @@
 // depends on no other value: a frame changes uniforms only.
 #pragma once
 
+#include <cstdint>
 #include <vector>
 
 #include "scene/scene.h"
@@ -22,12 +23,18 @@ inline constexpr int usual_beam = 8;
 // lists of elements, and lights have no beams.
 enum class Platform { opengl, webgl };
 
-// `writes_buffers`: shaders may write buffers (OpenGL 4.3), which the lists of beams need.
-// `finest_beam`: 8, or 1 for beams of single pixels, which cost more than they save.
-// `tells_endings`: the picture has the channel ending, as certified pictures have.
+// How a scene's pictures are drawn.
+struct Drawing {
+    Stage stage = Stage::fragment;
+    Platform platform = Platform::opengl;
+    bool writes_buffers = true; // shaders may (OpenGL 4.3), which the lists of beams need
+    int finest_beam =
+        usual_beam;             // or 1, for beams of single pixels, which cost more than they save
+    bool tells_endings = false; // the picture has the channel ending, as certified pictures have
+    std::int64_t pixels = 0;    // of a picture, as far as is known
+};
+
 Passes assemble(const scene::Scene& scene, const std::vector<Channel>& channels = {},
-                Stage stage = Stage::fragment, bool writes_buffers = true,
-                int finest_beam = usual_beam, bool tells_endings = false,
-                Platform platform = Platform::opengl);
+                const Drawing& drawing = {});
 
 } // namespace isomotion::synthesis

@@ -1,6 +1,10 @@
 #include "synthesis/beam_text.h"
 
+#include <array>
 #include <cmath>
+#include <span>
+#include <string>
+#include <string_view>
 
 #include <fmt/format.h>
 
@@ -79,14 +83,35 @@ std::string name_of(const BeamLevel& beam) {
                        beam.by_models ? " by models" : "");
 }
 
+// Declares the values that a beam's shader finds: attachments in fragment shaders, otherwise
+// images.
+void declare_results(ShaderText& text, Stage stage, std::span<const std::string_view> names) {
+    const bool draws = stage == Stage::fragment;
+    std::string declared, stored;
+    for (std::size_t k = 0; k < names.size(); ++k) {
+        if (!draws) {
+            declared += fmt::format(
+                "layout(rgba32f, binding = {0}) writeonly uniform image2D beam_image_{0};\n", k);
+            stored += fmt::format("    imageStore(beam_image_{}, at, {});\n", k, names[k]);
+        }
+        const std::string as_output = draws ? fmt::format("layout(location = {}) out ", k) : "";
+        declared += fmt::format("{}vec4 {};\n", as_output, names[k]);
+    }
+    if (!draws) declared += fmt::format("void store_results(ivec2 at) {{\n{}}}\n", stored);
+    text.generated("generated: what a beam's shader finds", declared);
+}
+
 Pass beam_pass_by_intervals(const scene::Scene& scene, const Passes& passes, int level) {
     const formula::Field& field = *scene.surface.field;
     const BeamLevel& beam = passes.beams[std::size_t(level)];
     // The beams that these lie in.
     const BeamLevel* parent = level > 0 ? &beam - 1 : nullptr;
-    ShaderText text;
+    ShaderText text(passes.stage);
     const bool makes_lists = beam.lists != BeamLists::none;
     const bool writes_buffer = makes_lists && !has_copies(passes);
+    constexpr std::array<std::string_view, 3> results{"part", "lists", "list_of_all"};
+    declare_results(text, passes.stage,
+                    std::span(results).first(std::size_t(writes_buffer ? 3 : 1)));
     if (writes_buffer) text.version(430);
     define_blocks(text, beam);
     text.define("BOTH_ENDS", int(beam.lists == BeamLists::whole));
@@ -116,11 +141,12 @@ Pass beam_pass_by_intervals(const scene::Scene& scene, const Passes& passes, int
         else
             add_masks(text, passes);
     }
-    text.file("frame.glsl");
+    text.file_of_stage("frame.glsl", "stage/frame.glsl");
     add_boxes(text, scene, passes, parent);
     add_sections_over_boxes(text, scene);
     if (makes_lists) text.file("march/beam_list.glsl");
-    text.file("march/beam.frag");
+    text.file("march/beam_by_intervals.glsl");
+    text.file_of_stage("stage/beam.frag", "stage/beam.comp");
     Pass pass = std::move(text).pass(Role::beams, name_of(beam), When::once_a_tile);
     pass.level = level;
     return pass;
@@ -128,18 +154,20 @@ Pass beam_pass_by_intervals(const scene::Scene& scene, const Passes& passes, int
 
 Pass beam_pass_by_models(const scene::Scene& scene, const Passes& passes, int level) {
     const BeamLevel& beam = passes.beams[std::size_t(level)];
-    ShaderText text;
+    ShaderText text(passes.stage);
+    declare_results(text, passes.stage, std::array<std::string_view, 2>{"part", "roots"});
     define_blocks(text, beam);
     if (scene.isolation.certify) text.define("BOTH_ENDS", 1);
     add_enclosures(text, *scene.surface.field, passes, {});
     add_piece_models(text, *scene.surface.field, "models/block.glsl");
-    text.file("frame.glsl");
+    text.file_of_stage("frame.glsl", "stage/frame.glsl");
     add_boxes(text, scene, passes, level > 0 ? &beam - 1 : nullptr);
     text.file("models/piece_of_block.glsl");
     text.define("BOUNDS_ROUNDING", "beam.w");
     add_inside_bounds(text, scene);
     text.file("models/box_within_bounds.glsl");
-    text.file("march/beam_by_models.frag");
+    text.file("march/beam_by_models.glsl");
+    text.file_of_stage("stage/beam.frag", "stage/beam.comp");
     Pass pass = std::move(text).pass(Role::beams, name_of(beam), When::once_a_tile);
     pass.level = level;
     return pass;

@@ -1,5 +1,5 @@
 // Shaders that find the part of rays that needs marching, for blocks of pixels, and pass it on to
-// the rays: see render/beam_pass.h and shaders/march/beam.frag.
+// the rays: see render/beam_pass.h and shaders/march/beam_by_intervals.glsl.
 #pragma once
 
 #include "scene/scene.h"

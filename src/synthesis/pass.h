@@ -99,7 +99,7 @@ struct BeamLevel {
     BeamLists lists = BeamLists::none;
     double front = 1;    // fraction of the part to be marched
     int square_bits = 0; // squares of 2^bits of its blocks are kept apart: march/beam_place.glsl
-    // By models of F, which also settle blocks: march/beam_by_models.frag. Otherwise by intervals.
+    // By models of F, which also settle blocks: march/beam_by_models.glsl. Otherwise by intervals.
     bool by_models = false;
 };
 
@@ -121,7 +121,7 @@ struct Passes : FieldStorage {
     // mask.
     bool draws_squares = false;
     int light_beams = 0;           // a bit for each light whose shadow rays use its own beams
-    Stage stage = Stage::fragment; // of march, shadow and mirror; other passes are fragment shaders
+    Stage stage = Stage::fragment; // of rays and beams; other passes are fragment shaders
     int state_textures = 2;        // for a ray's state between passes
     // Degree of the polynomial in t that the method chebyshev solves, otherwise 0. A pass must hold
     // its degree + 1 samples.

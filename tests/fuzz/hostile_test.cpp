@@ -177,7 +177,7 @@ std::vector<std::string> texts(const Passes& passes) {
 std::vector<std::string> shaders_of(const std::string& text, Stage stage) {
     const scene::Scene scene = scene::load_text(text, "scene.toml");
     const std::vector<Channel> channels{Channel::depth, Channel::normal, Channel::velocity};
-    return texts(assemble(scene, channels, stage));
+    return texts(assemble(scene, channels, {stage}));
 }
 
 // Random powers may leave what the GPU's numbers hold, which is a mistake of its own.

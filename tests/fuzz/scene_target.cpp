@@ -14,7 +14,7 @@ void scene(std::string_view text) {
             scene::at(scene, scene.timeline.values(frame));
         }
         synthesis::assemble(scene, {synthesis::Channel::normal, synthesis::Channel::velocity});
-        synthesis::assemble(scene, {}, synthesis::Stage::compute);
+        synthesis::assemble(scene, {}, {synthesis::Stage::compute});
     } catch (const scene::SceneError& error) {
         if (base::printable(error.what()) != error.what()) {
             throw Violation("a message that commands a terminal");

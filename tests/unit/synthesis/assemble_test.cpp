@@ -158,10 +158,10 @@ TEST_F(Assemble, NoValueIsInTheTextOfAnyPass) {
             scene::Scene one = called(one_set_of_values, more, "0.25");
             scene::Scene other = called(another_set_of_values, more, "0.5");
             one.isolation.certify = other.isolation.certify = true;
-            expect_same_text(assemble(one, channels, stage), assemble(other, channels, stage));
-            expect_same_text(assemble(one, {}, stage), assemble(other, {}, stage));
-            for (const Pass& pass : assemble(one, channels, stage).list) roles.insert(pass.role);
-            for (const Pass& pass : assemble(one, {}, stage).list) roles.insert(pass.role);
+            expect_same_text(assemble(one, channels, {stage}), assemble(other, channels, {stage}));
+            expect_same_text(assemble(one, {}, {stage}), assemble(other, {}, {stage}));
+            for (const Pass& pass : assemble(one, channels, {stage}).list) roles.insert(pass.role);
+            for (const Pass& pass : assemble(one, {}, {stage}).list) roles.insert(pass.role);
         }
     }
     for (const char* method : {"amp-sign", "hermite"}) {
@@ -180,7 +180,7 @@ TEST_F(Assemble, NoValueIsInTheTextOfAnyPass) {
     const auto page_with_lists = [](const char* color) {
         const std::string material = fmt::format("[material]\ncolor = [{}, 1, 0]\n", color);
         return assemble(scene_of(blobs_text(75, every_bounds[0], "hermite") + material), {},
-                        Stage::fragment, false, usual_beam, false, Platform::webgl);
+                        on_page);
     };
     expect_same_text(page_with_lists("0.25"), page_with_lists("0.5"));
     for (const Pass& pass : page_with_lists("0.25").list) roles.insert(pass.role);
@@ -403,12 +403,11 @@ TEST_F(Assemble, EveryShaderFileIsUsedBySomeScene) {
     add(of_shadows);
     const Passes of_long = assemble(scene_of(surface_text(long_formula())));
     add(of_long);
-    const Passes of_bits = assemble(scene_of(blobs_text(75, every_bounds[0], "hermite")), {},
-                                    Stage::fragment, false, usual_beam, false, Platform::webgl);
+    const Passes of_bits =
+        assemble(scene_of(blobs_text(75, every_bounds[0], "hermite")), {}, on_page);
     add(of_bits);
     const Passes of_three_levels =
-        assemble(scene_of(blobs_text(384, every_bounds[0], "hermite")), {}, Stage::fragment, false,
-                 usual_beam, false, Platform::webgl);
+        assemble(scene_of(blobs_text(384, every_bounds[0], "hermite")), {}, on_page);
     add(of_three_levels);
     const Passes of_sides =
         assemble(scene_of(surface_text("x") + "[material]\nback_color = [1, 1, 1]\n"));
@@ -454,7 +453,9 @@ TEST_F(Assemble, EveryShaderFileIsUsedBySomeScene) {
         const Passes passes = assemble(scene_of(surface_text("x") + glass));
         add(passes);
     }
-    const Passes by_compute = assemble(scene_of(surface_text("x")), {}, Stage::compute);
+    const Passes by_compute =
+        assemble(scene_of(surface_text("x", every_bounds[0], "hermite") + "beam = true\n"), {},
+                 {Stage::compute});
     add(by_compute);
     const std::vector<Passes> of_surfaces = passes_of_surfaces(two_surfaces("0.5"));
     for (const Passes& passes : of_surfaces) add(passes);
@@ -474,10 +475,10 @@ TEST_F(Assemble, EveryShaderFileIsUsedBySomeScene) {
     EXPECT_THAT(used, testing::ContainerEq(of_scenes));
 }
 
-// Compute shaders march where fragment shaders, which beams are, have few processors.
-TEST_F(Assemble, ComputeShadersTakeBeamsForListsOnly) {
-    const auto levels = [](const std::string& text, Stage stage) {
-        return assemble(scene_of(text), {}, stage, /*writes_buffers=*/true).beams.size();
+// Compute shaders march where there are more lanes than a picture has blocks.
+TEST_F(Assemble, ComputeShadersTakeBeamsForListsAndOfLargePictures) {
+    const auto levels = [](const std::string& text, Stage stage, std::int64_t pixels = 0) {
+        return assemble(scene_of(text), {}, {.stage = stage, .pixels = pixels}).beams.size();
     };
     const std::string plain = surface_text("x^2 + y^2 + z^2 - 1", every_bounds[0], "hermite");
     const std::string told = plain + "beam = true\n";
@@ -487,6 +488,9 @@ TEST_F(Assemble, ComputeShadersTakeBeamsForListsOnly) {
     EXPECT_GT(levels(plain, Stage::fragment), 0U);
     EXPECT_EQ(levels(plain, Stage::compute), 0U);
     EXPECT_EQ(levels(told, Stage::compute), levels(plain, Stage::fragment));
+    EXPECT_EQ(levels(plain, Stage::compute, 1024 * 1024), 0U);
+    EXPECT_EQ(levels(plain, Stage::compute, 1920 * 1080), 1U) << "settles blocks";
+    EXPECT_EQ(levels(surface_text("exp(x) - y"), Stage::compute, 1920 * 1080), 0U);
     EXPECT_GT(levels(sum, Stage::compute), 0U);
     EXPECT_EQ(levels(sum, Stage::compute), levels(sum, Stage::fragment));
 }

@@ -104,7 +104,7 @@ TEST_P(Compile, ComputeShadersOfRays) {
         for (const auto& bounds : every_bounds) {
             const auto scene =
                 scene_of(surface_text(formula, bounds, method) + two_arrays + effects);
-            const Passes passes = assemble(scene, {}, Stage::compute);
+            const Passes passes = assemble(scene, {}, {Stage::compute});
             for (const Role role : {Role::march, Role::mirror, Role::shadow}) {
                 EXPECT_NO_THROW(gpu::Program::compute(text_of(passes, role), method))
                     << method << " in " << bounds;
@@ -112,9 +112,28 @@ TEST_P(Compile, ComputeShadersOfRays) {
         }
     }
     const auto scene = scene_of(surface_text(long_formula()));
-    const Passes passes = assemble(scene, {}, Stage::compute);
+    const Passes passes = assemble(scene, {}, {Stage::compute});
     EXPECT_TRUE(passes.march_takes_gradient);
     EXPECT_NO_THROW(gpu::Program::compute(text_of(passes, Role::march), "long"));
+}
+
+// By intervals, by models, and with lists of elements.
+TEST_P(Compile, ComputeShadersOfBeams) {
+    if (!gpu::has_compute(context->info())) GTEST_SKIP() << context->info().version;
+    for (const auto& bounds : every_bounds) {
+        const std::string polynomial = surface_text("x^3 + y^2*z - 1", bounds, "hermite");
+        for (const std::string& text :
+             {polynomial + "beam = true\n", polynomial + "beam = true\ncertify = true\n",
+              blobs_text(75, bounds, "hermite")}) {
+            const Passes passes = assemble(scene_of(text), {}, {Stage::compute});
+            EXPECT_GE(passes.beams.size(), 2U);
+            for (const Pass& pass : passes.list) {
+                if (pass.role != Role::beams) continue;
+                EXPECT_EQ(pass.stage, Stage::compute);
+                EXPECT_NO_THROW(gpu::Program::compute(pass.text, pass.name)) << bounds;
+            }
+        }
+    }
 }
 
 TEST_P(Compile, WithoutPrecise) {
@@ -175,8 +194,7 @@ TEST_F(CompileWithGlslang, EveryAssembly) {
 TEST_F(CompileWithGlslang, EveryPassOfBrowsers) {
     std::set<std::string> seen;
     const auto add_passes = [&](const std::string& text) {
-        const Passes passes = assemble(scene_of(text), {}, Stage::fragment, false, usual_beam,
-                                       false, Platform::webgl);
+        const Passes passes = assemble(scene_of(text), {}, on_page);
         for (const Pass& pass : passes.list) {
             if (seen.insert(pass.vertex).second) add(pass.vertex, "vert");
             if (!seen.insert(pass.text).second) continue;

@@ -34,6 +34,9 @@ inline scene::Scene scene_of(const std::string& text) {
     return scene;
 }
 
+// How a page is drawn.
+inline const Drawing on_page{.platform = Platform::webgl, .writes_buffers = false};
+
 // The text of the pass with that role.
 inline const std::string& text_of(const Passes& passes, Role role, int level = 0) {
     return passes.at(role, level).text;

@@ -1,18 +1,17 @@
 // Finds which part of their way the rays of a block of BLOCK x BLOCK pixels need to march. One
-// fragment a block walks along the block's beam by interval arithmetic, from its near end and, except
+// invocation a block walks along the block's beam by interval arithmetic, from its near end and, except
 // for the smallest blocks with lists, from its far end. It passes a piece of the beam whose box is
 // proved free of roots, and takes the next one twice as long. It halves any other piece, until that is
 // short against the block. What it passed holds no root of any of the block's rays, rounding included.
-
-layout(location = 0) out vec4 part; // of tau, empty without roots; where front and middle end
+//
+// `part` is of tau, empty without roots; its .zw tell where front and middle end.
 
 uniform int beam_evaluations;
 #ifdef GRID
 uniform float element_budget;
 #endif
 
-void main() {
-    ivec2 block = beam_block(ivec2(pixel_centre), SQUARE_BITS);
+void follow_beam(ivec2 block) {
     Beam way = beam_of(block);
     Part whole = parent_part(block);
     float low = whole.low, high = whole.high;

@@ -1,4 +1,4 @@
-// Finds which part of their way holds the roots of a block's rays, as beam.frag does, by models of F
+// Finds which part of their way holds the roots of a block's rays, as beam_by_intervals.glsl does, by models of F
 // over pieces of the block's beam: models/block.glsl. It settles blocks whose rays all hit one smooth sheet:
 // it proves of a piece of the beam that it holds the first root of each of them.
 //
@@ -9,14 +9,13 @@
 // has one root there. None comes before: F keeps its sign up to `low`, within the bounds, and from there to the slab it
 // is monotone in the direction in which it goes through 0 in the slab.
 
-// Of tau, empty without roots; .z is 1 if the block is settled. Rays of a block that is not settled march all
+// `part` is of tau, empty without roots; its .z is 1 if the block is settled. Rays of a block that is not settled march all
 // that intervals left: rays that begin elsewhere take other samples, and find other roots where F touches 0. Proofs
 // know that there are no roots before roots.x and behind part.w. For these (BOTH_ENDS) the walk ends with pieces
 // from the far end.
-layout(location = 0) out vec4 part;
-// The slab of a settled block, in tau: its middle in the block's middle, how far it leans to
+//
+// `roots` is the slab of a settled block, in tau: its middle in the block's middle, how far it leans to
 // the outer pixels, half its thickness.
-layout(location = 1) out vec4 roots;
 
 uniform int beam_evaluations;
 
@@ -47,8 +46,7 @@ Piece slab_in(Piece piece, Model f) {
                  lean * piece.half_length, vec2(0.0));
 }
 
-void main() {
-    ivec2 block = beam_block(ivec2(pixel_centre), SQUARE_BITS);
+void follow_beam(ivec2 block) {
     Beam boxes = beam_of(block);
     Across way = across_block(block);
     Part whole = parent_part(block);

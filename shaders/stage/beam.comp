@@ -1,0 +1,10 @@
+// Work groups extend over the upper and right edges of the blocks.
+uniform ivec4 blocks; // the first one's place, and how many there are
+
+void main() {
+    ivec2 at = ivec2(gl_GlobalInvocationID.xy);
+    if (any(greaterThanEqual(at, blocks.zw))) return;
+    ivec2 block = blocks.xy + at;
+    follow_beam(block);
+    store_results(beam_texel(block, SQUARE_BITS));
+}
