@@ -1,28 +1,8 @@
 #include "render/planes.h"
 
 #include <algorithm>
-#include <span>
 
 namespace isomotion::render {
-namespace {
-
-// Some rows at a time, which stay in a processor's cache from the driver's copy to ours.
-constexpr int floats_of_a_strip = 1 << 16;
-
-} // namespace
-
-void Planes::read(const gpu::Target& from, int attachment, const gpu::Rectangle& tile,
-                  const std::vector<image::Channel*>& channels) {
-    const int rows = std::clamp(floats_of_a_strip / (4 * tile.width), 1, tile.height);
-    strip_.resize(std::size_t(4 * tile.width) * std::size_t(rows));
-    for (int y = 0; y < tile.height; y += rows) {
-        const int now = std::min(rows, tile.height - y);
-        const auto floats = std::size_t(4 * tile.width) * std::size_t(now);
-        from.read(attachment, 0, y, tile.width, now, std::span(strip_).first(floats));
-        copy(strip_.data(), tile, y, now, channels);
-    }
-}
-
 void Planes::copy(const float* texels, const gpu::Rectangle& tile, int y, int rows,
                   const std::vector<image::Channel*>& channels) const {
     const bool is_color =
@@ -45,16 +25,6 @@ void Planes::copy(const float* texels, const gpu::Rectangle& tile, int y, int ro
             if (!channels[c]) continue;
             float* to = row(*channels[c], tile, y + k);
             for (int x = 0; x < tile.width; ++x) to[x] = from[std::size_t(4 * x) + c];
-        }
-    }
-}
-
-void Planes::fill(const gpu::Rectangle& tile, image::Channel& channel,
-                  const std::function<float(std::size_t pixel)>& number) const {
-    for (int y = 0; y < tile.height; ++y) {
-        float* to = row(channel, tile, y);
-        for (int x = 0; x < tile.width; ++x) {
-            to[x] = number(std::size_t(y) * std::size_t(tile.width) + std::size_t(x));
         }
     }
 }

@@ -1,11 +1,11 @@
-// Converts an attachment of four floats per pixel to a frame's channels, which are planes with rows
-// from the top.
+// Converts a tile's attachments of four floats per pixel to a frame's channels, which are planes
+// with rows from the top.
 #pragma once
 
-#include <functional>
+#include <cstddef>
 #include <vector>
 
-#include "gpu/target.h"
+#include "gpu/draw.h"
 #include "image/frame.h"
 
 namespace isomotion::render {
@@ -17,17 +17,21 @@ public:
         : width_(frame_width)
         , height_(frame_height) {}
 
-    // Reads the lower left tile.width x tile.height of an attachment. Channel k receives component
-    // k, unless it is null.
-    void read(const gpu::Target& from, int attachment, const gpu::Rectangle& tile,
-              const std::vector<image::Channel*>& channels);
-    // The same for rows from the bottom that are in memory; `y` is the first row's place in the
-    // tile.
+    // Copies rows of an attachment, which are in memory from the bottom up. `y` is the first row's
+    // place in the tile. Channel k receives component k, unless it is null.
     void copy(const float* texels, const gpu::Rectangle& tile, int y, int rows,
               const std::vector<image::Channel*>& channels) const;
-    // Fills a channel pixel by pixel, rows from the bottom.
-    void fill(const gpu::Rectangle& tile, image::Channel& channel,
-              const std::function<float(std::size_t pixel)>& number) const;
+
+    // Fills a channel pixel by pixel, rows from the bottom: number(pixel of the tile).
+    template<class Number>
+    void fill(const gpu::Rectangle& tile, image::Channel& channel, const Number& number) const {
+        for (int y = 0; y < tile.height; ++y) {
+            float* to = row(channel, tile, y);
+            const std::size_t first = std::size_t(y) * std::size_t(tile.width);
+            for (std::size_t x = 0; x < std::size_t(tile.width); ++x)
+                to[x] = float(number(first + x));
+        }
+    }
 
 private:
     float* row(image::Channel& channel, const gpu::Rectangle& tile, int y) const {
@@ -37,7 +41,6 @@ private:
     }
 
     int width_, height_;
-    std::vector<float> strip_;
 };
 
 } // namespace isomotion::render

@@ -17,6 +17,7 @@
 #include "render/planes.h"
 #include "render/proofs_of_surfaces.h"
 #include "render/ray_clock.h"
+#include "render/read_back.h"
 #include "render/secondary_rays.h"
 #include "render/several_surfaces.h"
 #include "render/surface_passes.h"
@@ -57,6 +58,7 @@ struct Renderer::Parts {
         , record(plan.march.tile_width * plan.march.tile_height,
                  passes.has(Role::surface) && !passes.has(Role::fused))
         , planes(options.width, options.height)
+        , back(options.threads)
         , layers(options.channels, passes.attachments)
         , result(plan.march.tile_width, plan.march.tile_height,
                  formats(passes, record, draws_over_each_other())) {
@@ -224,14 +226,20 @@ struct Renderer::Parts {
                 } else if (moved && inputs.motion) {
                     write_velocity(velocity_of(own, inputs, *rays, tile), tile, picture.frame);
                 }
-                layers.for_each_attachment(picture.frame, [&](int k, const auto& channels) {
-                    planes.read(result, k, tile, channels);
-                });
+                read_attachments(tile, picture.frame);
                 done += double(tile.width) * tile.height / pixels;
             }
         }
         if (clock) picture.marching = clock->take();
         return picture;
+    }
+
+    void read_attachments(const gpu::Rectangle& tile, image::Frame& frame) {
+        const std::vector<Attachment> attachments = attachments_of(layers, frame);
+        if (context.info().software) return back.in_strips(result, attachments, tile, planes);
+        gpu::Transfer pixels = flights.transfer(bytes_of_a_tile());
+        back.at_once(result, attachments, tile, planes, pixels);
+        flights.give_back(std::move(pixels));
     }
 
     template<typename Draws> void timed(const Draws& draws) {
@@ -475,6 +483,7 @@ struct Renderer::Parts {
     const std::string passes_print; // of those that decide pixels
     Record record;                  // of the tile drawn last
     Planes planes;
+    ReadBack back;
     Layers layers;
     std::optional<RayClock> clock;
     gpu::Target result;

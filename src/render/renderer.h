@@ -68,7 +68,7 @@ struct RenderOptions {
     bool tells_endings = false;
     // Whether draw() measures the GPU's time for beams and rays, for which it waits.
     bool times_rays = false;
-    // Threads that make grids of elements; 0: as many as the machine runs at once.
+    // Threads that make grids of elements and copy pixels; 0: as many as the machine runs at once.
     int threads = 0;
     // Called before each tile and between its passes; if it returns true, draw() throws Stopped.
     std::function<bool()> stop = {};
