@@ -17,10 +17,6 @@ float not_below(double x) {
     return double(near) < x ? std::nextafter(near, HUGE_VALF) : near;
 }
 
-double largest(const glm::dvec3& v) {
-    return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
-}
-
 } // namespace
 
 FrameBlock frame_block(const scene::Scene& scene, const scene::SceneAt& now, int width, int height,
@@ -66,13 +62,12 @@ glm::vec4 beam_range(const scene::SceneAt& now, int width, int height, const sce
     const glm::dvec3 forward = glm::normalize(glm::cross(rays.up, rays.right));
     const double depth = glm::dot(rays.axis, forward);
     const double middle = glm::dot(now.bounds.centre - rays.origin, forward) / depth;
-    // No box around a part of the range reaches farther: rays are in the bounds within their radius
-    // of the plane.
-    const double spread = glm::length(rays.right) + glm::length(rays.up);
-    const double reach = now.bounds.radius + spread + largest(now.bounds.centre - rays.origin);
+    const double half = 1.001 * now.bounds.radius / depth;
+    // Rays are in the bounds within `half` of the middle. Pieces of beams reach at most as far
+    // again beyond (shaders/proof/block_by_models.frag).
+    const double reach = (std::abs(middle) + 2 * half) * depth;
     const double rounding =
         scene::ray_rounding(rays, now.bounds, scene::Norm::length).at_depth(reach);
-    const double half = 1.001 * now.bounds.radius / depth;
     const double pixel = 2 * glm::length(rays.up) / height;
     // Rays begin at the eye, at -1; a light's eye is outside of the bounds.
     return glm::dvec4(std::max(middle - half, -1.0), middle + half, 0.5 * block * pixel / depth,

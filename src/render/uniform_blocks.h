@@ -31,8 +31,8 @@ FrameBlock frame_block(const scene::Scene& scene, const scene::SceneAt& now, int
 // bounds.
 inline constexpr double beam_roundings = 4;
 
-// Uniform `beam` of shaders/march/beam.frag: the range of tau in which the bounds may be, the
-// shortest piece, and `beam_roundings` times the rounding. `block`: pixels across a beam.
+// Uniform `beam` of shaders/march/beam_by_intervals.glsl: the range of tau in which the bounds may
+// be, the shortest piece, and `beam_roundings` times the rounding. `block`: pixels across a beam.
 glm::vec4 beam_range(const scene::SceneAt& now, int width, int height, const scene::Aim& aim,
                      int block);
 

@@ -79,16 +79,15 @@ function frameBlock(view, settings, width, height, aim) {
     ]);
 }
 
-// Uniform `beam` of shaders/march/beam.frag, for beams of so many pixels across.
+// Uniform `beam` of shaders/march/beam_by_intervals.glsl, for beams of so many pixels across.
 function beamRange(view, width, height, aim, block) {
     const rays = raysOf(view, width, height, aim);
     const forward = normalized(cross(rays.up, rays.right));
     const depth = dot(rays.axis, forward);
     const away = sub(view.centre, rays.origin);
     const middle = dot(away, forward) / depth;
-    const spread = length(rays.right) + length(rays.up);
-    const rounding = rayRounding(rays, view, view.radius + spread + largest(away));
     const half = (1.001 * view.radius) / depth;
+    const rounding = rayRounding(rays, view, (Math.abs(middle) + 2 * half) * depth);
     const pixel = (2 * length(rays.up)) / height;
     return [
         rays.parallel ? middle - half : Math.max(middle - half, -1),
