@@ -57,9 +57,11 @@ int pieces_of_draw(const formula::Cost& piece, double rays) {
 // for neighbours that need many: waiting costs more than packing, as long as there are many. Dear
 // pieces, as those of sums, are worth more of it.
 int pieces_of_packing(const formula::Cost& piece, std::size_t rays) {
-    constexpr std::size_t few = 256;
+    constexpr std::size_t few = 256, a_handful = 32;
     constexpr double dear = 1e4; // operations
-    return rays <= few ? 16 : piece.operations > dear ? 2 : 8;
+    const bool is_dear = piece.operations > dear;
+    if (rays <= a_handful && !is_dear) return Proofs::most_pieces;
+    return rays <= few ? 16 : is_dear ? 2 : 8;
 }
 
 int blocks_across(int pixels, int block = synthesis::proved_block) {
@@ -183,6 +185,23 @@ const std::optional<Proofs::Pieces>& Proofs::closer_pieces(const PassTable& tabl
     return *closer_;
 }
 
+bool Proofs::floats_decide(PassTable& table, const ProofRays& rays, OpenRays& open,
+                           const gpu::Rectangle& tile) {
+    constexpr std::size_t worth_asking = 8192, part = 16;
+    constexpr double most_in_vain = 0.8;
+    std::vector<std::uint32_t> some = open_among(open, [](float outcome) { return outcome < 0; });
+    if (some.size() < worth_asking) return true;
+    for (std::size_t k = 0; part * k < some.size(); ++k) some[k] = some[part * k];
+    some.resize((some.size() + part - 1) / part);
+    prove_rays(table, natural_, rays.of_floats, false, some, open, tile);
+    const auto in_vain = std::ranges::count_if(some, [&](std::uint32_t k) {
+        return open.proofs[4 * std::size_t(k)] >= float(Proof::hidden);
+    });
+    if (double(in_vain) <= most_in_vain * double(some.size())) return true;
+    const std::optional<Pieces>& closer = closer_pieces(table);
+    return !closer || closer->role != Role::double_proof;
+}
+
 ProofCounts Proofs::prove(PassTable& table, const ProofRays& rays, const gpu::Texture& endings,
                           const gpu::Rectangle& tile, std::span<float> record) {
     if (!rays.in_range) {
@@ -201,10 +220,14 @@ ProofCounts Proofs::prove(PassTable& table, const ProofRays& rays, const gpu::Te
     if (blocks.open.empty()) return counts;
 
     OpenRays open = packed_.begin(table, table.program(Role::first_proof), tile, blocks.open);
-    prove_rays(table, natural_, rays.of_floats, false,
-               open_among(open, [](float outcome) { return outcome < 0; }), open, tile);
-    std::vector<std::uint32_t> undecided =
-        open_among(open, [](float outcome) { return outcome >= float(Proof::hidden); });
+    const auto is_unfinished = [](float outcome) { return outcome < 0; };
+    if (floats_decide(table, rays, open, tile)) {
+        prove_rays(table, natural_, rays.of_floats, false, open_among(open, is_unfinished), open,
+                   tile);
+    }
+    std::vector<std::uint32_t> undecided = open_among(open, [&](float outcome) {
+        return is_unfinished(outcome) || outcome >= float(Proof::hidden);
+    });
     if (!undecided.empty()) {
         if (const std::optional<Pieces>& closer = closer_pieces(table)) {
             const bool in_doubles = closer->role == Role::double_proof;

@@ -55,6 +55,10 @@ private:
     const std::optional<Pieces>& closer_pieces(const PassTable& table);
     // Proves blocks of rays, and reads their proofs.
     void prove_blocks(PassTable& table, const gpu::Rectangle& tile);
+    // Whether floats decide rays that are open, by some of them, which it proves. If not, doubles
+    // are there to try all.
+    bool floats_decide(PassTable& table, const ProofRays& rays, OpenRays& open,
+                       const gpu::Rectangle& tile);
     // Draws passes until the proofs of those rays that `open` numbers are finished. `again`: these
     // were given up.
     void prove_rays(PassTable& table, const Pieces& by, const RayThickness& thickness, bool again,
