@@ -2,19 +2,21 @@
 // clock.
 //
 //   stages_bench [-o FILE.csv] [--only SURFACE,...] [--blobs N,...] [--methods a,b] [--stages a,b]
-//                [--size N] [--count-size N] [--rounds N] [--halvings N] [--one-draw]
+//                [--size N] [--count-size N] [--rounds N] [--finer N] [--halvings N] [--one-draw]
 //                [--beams on|off]
 //
 // Prints a line for each subject, stage and method. Wrong pixels are counted at --count-size; times
-// are of --size, medians, and of the card: reading back, which takes longer there than marching, is
-// not in them. The sign test (amp-sign) has further lines with its step halved until it gets no
-// more pixels wrong than the best other method, or --halvings are spent. Operations are those of
-// the field alone, as in `methods`, and the peak is that of the stage.
+// are of --size, medians, and of the card, which other work keeps at the clock that it has under
+// load: reading back, which takes longer there than marching, is not in them. The sign test
+// (amp-sign) has further lines with its step halved until it gets no more pixels wrong than the
+// best other method, or --halvings are spent. Operations are those of the field alone, as in
+// `methods`, and the peak is that of the stage.
 #include <algorithm>
 #include <chrono>
 #include <fstream>
 #include <map>
 #include <memory>
+#include <optional>
 #include <sstream>
 
 #include <fmt/format.h>
@@ -34,7 +36,7 @@ using synthesis::Channel, synthesis::Stage;
 struct Arguments {
     std::string output, backend = "auto", only = "all", blobs, animations = "blobby75";
     std::string methods = "amp-sign,hermite", stages = "fragment,compute";
-    int size = 1024, count_size = 512, rounds = 9, halvings = 6;
+    int size = 1024, count_size = 512, rounds = 9, finer = 0, halvings = 6;
     bool one_draw = false;
     std::string beams; // on, off; otherwise as the scene has them
 };
@@ -89,8 +91,13 @@ public:
             counted_ = std::make_unique<render::Renderer>(context, scene_, options);
         }
         line_.has_beams =
-            !synthesis::assemble(scene_, {}, stage, context.info().has(4, 3)).beams.empty();
+            !synthesis::assemble(scene_, {},
+                                 {.stage = stage,
+                                  .writes_buffers = context.info().has(4, 3),
+                                  .pixels = std::int64_t(arguments.size) * arguments.size})
+                 .beams.empty();
         line_.operations = operations(on.subject.scene, method);
+        if (!context.info().software) load_.emplace(stage);
     }
 
     void halve(int halvings) {
@@ -112,12 +119,15 @@ public:
         line.wrong = wrong();
         std::vector<double> marching, drawing;
         for (int round = 0; round < arguments_.rounds; ++round) {
-            render::Picture picture = timed_->draw(on_.frames[0]);
-            line.passes = picture.passes;
-            line.evaluations = double(picture.evaluations);
-            marching.push_back(1e3 * picture.marching.count());
-            drawing.push_back(1e3 * picture.drawing.count());
-            timed_->reuse(std::move(picture));
+            draw([&](const render::Picture& picture) {
+                drawing.push_back(1e3 * picture.drawing.count());
+            });
+            if (load_) load_->begin();
+            draw([&](const render::Picture& picture) {
+                line.passes = picture.passes;
+                line.evaluations = double(picture.evaluations);
+                marching.push_back(1e3 * picture.marching.count());
+            });
         }
         line.marching = median(std::move(marching));
         line.drawing = median(std::move(drawing));
@@ -125,6 +135,12 @@ public:
     }
 
 private:
+    template<class Take> void draw(const Take& take) {
+        render::Picture picture = timed_->draw(on_.frames[0]);
+        take(picture);
+        timed_->reuse(std::move(picture));
+    }
+
     static double median(std::vector<double> values) {
         std::sort(values.begin(), values.end());
         return values[values.size() / 2];
@@ -135,6 +151,7 @@ private:
     const Arguments& arguments_;
     Line line_;
     std::unique_ptr<render::Renderer> timed_, counted_;
+    std::optional<Load> load_;
 };
 
 class Table {
@@ -185,6 +202,7 @@ void measure(gpu::Context& context, const Certified& on, const Arguments& argume
         for (const scene::Method method : methods) {
             try {
                 Drawer drawer(context, on, arguments, method, stage);
+                if (method == scene::Method::amp_sign) drawer.halve(arguments.finer);
                 Line line = drawer.measured();
                 line.rays = all_rays;
                 table.add(line);
@@ -201,10 +219,10 @@ void measure(gpu::Context& context, const Certified& on, const Arguments& argume
             }
         }
         if (!sign_test || fewest_wrong < 0) continue;
-        int halvings = 0;
+        int halvings = arguments.finer;
         while (halvings < arguments.halvings && sign_test->wrong() > fewest_wrong)
             sign_test->halve(++halvings);
-        if (halvings == 0) continue;
+        if (halvings == arguments.finer) continue;
         Line line = sign_test->measured();
         line.rays = all_rays;
         table.add(line);
@@ -261,6 +279,7 @@ int main(int argc, char** argv) {
     words.number("--size", arguments.size, "pixels a side of timed pictures, a multiple of 64");
     words.number("--count-size", arguments.count_size, "of those with counted wrong pixels");
     words.number("--rounds", arguments.rounds, "pictures a median is taken of", {1, 1000});
+    words.number("--finer", arguments.finer, "halvings of its step to begin with", {0, 12});
     words.number("--halvings", arguments.halvings, "of the sign test's step, at most", {0, 12});
     words.flag("--one-draw", arguments.one_draw, "one tile, as many evaluations as rays need");
     words.one_of({"on", "off"}, "--beams", arguments.beams,
