@@ -74,7 +74,9 @@ TEST_P(ConvexShadow, HidesNothingOfItself) {
             int changed = 0;
             for (std::size_t k = 0; k < layer(with, "R").size(); ++k) {
                 const float change = std::abs(layer(with, "R")[k] - layer(without, "R")[k]);
-                changed += is_hit(certain, k) && change > 1e-6f;
+                // A pixel without shadows is marched and shaded in one draw, where a driver may
+                // order arithmetic otherwise: colours then differ by a few millionths.
+                changed += is_hit(certain, k) && change > 1e-5f;
             }
             EXPECT_EQ(changed, 0);
         }
