@@ -282,6 +282,40 @@ TEST_P(Certify, DoublesProveWhatFloatsCannot) {
     EXPECT_EQ(errors.contradicted, 0);
 }
 
+// Of so many rays a sample shows that floats decide hardly any, and doubles try the others at once:
+// those that floats would have proved, too, and each ray has one outcome.
+TEST_P(Certify, DoublesProveWhatFloatsAreNotAsked) {
+    constexpr int larger = 224; // some 30,000 rays hit
+    const scene::Scene scene = scene_of(fmt::format(
+        "[surface]\nuse = 'chmutov_14_power'\n[output]\nsize = [{0}, {0}]\n[isolation]\ncertify = "
+        "true\n",
+        larger));
+    const auto proved_by = [&](bool doubles, std::optional<render::MarchPlan> plan) {
+        render::RenderOptions options{larger, larger, channels(), plan};
+        options.proofs_in_doubles = doubles;
+        return render::Renderer(*context, scene, options)
+            .draw(scene::at(scene, scene.timeline.values(1)));
+    };
+    const Picture by_floats = proved_by(false, {}), by_both = proved_by(true, {});
+    const Picture in_tiles = proved_by(true, render::MarchPlan{96, 64, 500});
+    if (!render::can_trust_doubles(0)) GTEST_SKIP() << "no doubles, or not to be trusted";
+    const auto& before = by_floats.frame.find("proof")->samples;
+    const auto& after = by_both.frame.find("proof")->samples;
+    const auto& tiled = in_tiles.frame.find("proof")->samples;
+    render::ProofCounts counted{};
+    int lost = 0, other = 0;
+    for (std::size_t k = 0; k < after.size(); ++k) {
+        ++counted.at(std::size_t(after[k]));
+        lost += render::is_proved(Proof(int(before[k]))) && after[k] != before[k];
+        other += render::is_proved(Proof(int(tiled[k]))) != render::is_proved(Proof(int(after[k])));
+    }
+    EXPECT_EQ(lost, 0);
+    EXPECT_EQ(other, 0) << "tiles, whose rays are too few to be asked";
+    EXPECT_EQ(counted, by_both.proofs);
+    EXPECT_LT(render::proved_part(by_floats.proofs), 0.8);
+    EXPECT_GE(render::proved_part(by_both.proofs), 0.99);
+}
+
 struct Cheap {
     const char* animation;
     double proved; // at least this part
