@@ -207,7 +207,9 @@ int show(const ShowArguments& arguments) {
     }
     for (int k = 0; k <= int(scene.others.size()); ++k) {
         const scene::Scene surface = scene::of_surface(scene, k);
-        const synthesis::Passes passes = synthesis::assemble(surface, {}, {stage_of(arguments)});
+        const std::int64_t pixels = std::int64_t(scene.output.width) * scene.output.height;
+        const synthesis::Passes passes =
+            synthesis::assemble(surface, {}, {.stage = stage_of(arguments), .pixels = pixels});
         if (!scene.others.empty()) {
             print_result("{}surface   {}: {} of {}\n", lists ? "\n" : "// ##### ",
                          surface.surface.label, k + 1, scene.among.count);

@@ -72,11 +72,14 @@ void TextureBuffer::bind(int unit) const {
 }
 
 void TextureBuffer::bind_storage(unsigned binding) const {
+    // Stores are not ordered by themselves, not even after earlier fetches of what they overwrite.
+    glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
     glBindBufferBase(GL_SHADER_STORAGE_BUFFER, binding, buffer_.get());
 }
 
 void TextureBuffer::wait_for_storage() const {
-    glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT | GL_SHADER_STORAGE_BARRIER_BIT);
+    glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT | GL_SHADER_STORAGE_BARRIER_BIT |
+                    GL_BUFFER_UPDATE_BARRIER_BIT);
 }
 
 IntegerBuffer::IntegerBuffer(Texel texel)

@@ -7,7 +7,6 @@
 
 #include <fmt/format.h>
 
-#include "gpu/context.h"
 #include "render/scene_plan.h"
 #include "render/squares_apart.h"
 
@@ -81,23 +80,21 @@ void BeamPass::bind(const PassTable& table, const Level& level, const std::strin
     }
 }
 
-Blocks BeamPass::blocks(const gpu::Rectangle& tile) const {
+Blocks BeamPass::blocks(const gpu::Rectangle& tile, bool at_once) const {
     const Level& level = levels_.back();
     if (level.block != Blocks::side)
         throw std::logic_error(fmt::format("the last beams have {} pixels across", level.block));
     Blocks found(tile.width, tile.height);
     const int side = 1 << level.square_bits;
-    // Each read waits for the hardware; the less a software renderer reads, the faster.
-    const bool reads_all = !gpu::Context::current()->info().software;
-    const int row = reads_all ? level.results.width() : side;
+    const int row = at_once ? level.results.width() : side;
     std::vector<float> parts;
-    if (reads_all) parts = level.results.read(0, 0, 0, row, level.results.height());
+    if (at_once) parts = level.results.read(0, 0, 0, row, level.results.height());
     for (int up = 0; up < found.up; up += side) {
         for (int right = 0; right < found.across; right += side) {
             const int x = right / side * synthesis::beam_square;
             const int y = up / side * synthesis::beam_square;
-            if (!reads_all) parts = level.results.read(0, x, y, side, side);
-            const std::size_t first = reads_all ? std::size_t(y) * std::size_t(row) + x : 0;
+            if (!at_once) parts = level.results.read(0, x, y, side, side);
+            const std::size_t first = at_once ? std::size_t(y) * std::size_t(row) + x : 0;
             const int width = std::min(side, found.across - right);
             const int height = std::min(side, found.up - up);
             for (int k = 0; k < width * height; ++k) {

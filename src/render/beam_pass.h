@@ -45,8 +45,8 @@ public:
     void bind(const PassTable& table, const std::string& kind = "beam") const;
 
     // What the last level found of a tile's blocks of 8 pixels, from pixel (0, 0) on. Waits for the
-    // draws before.
-    Blocks blocks(const gpu::Rectangle& tile) const;
+    // draws before: once for all, or for each square, of which a software renderer reads less.
+    Blocks blocks(const gpu::Rectangle& tile, bool at_once) const;
 
     // The squares of every level divide this number of pixels.
     static constexpr int square = 256;

@@ -234,9 +234,11 @@ struct Renderer::Parts {
         return picture;
     }
 
+    bool reads_at_once() const { return options.reads_at_once.value_or(!context.info().software); }
+
     void read_attachments(const gpu::Rectangle& tile, image::Frame& frame) {
         const std::vector<Attachment> attachments = attachments_of(layers, frame);
-        if (context.info().software) return back.in_strips(result, attachments, tile, planes);
+        if (!reads_at_once()) return back.in_strips(result, attachments, tile, planes);
         gpu::Transfer pixels = flights.transfer(bytes_of_a_tile());
         back.at_once(result, attachments, tile, planes, pixels);
         flights.give_back(std::move(pixels));
@@ -257,7 +259,7 @@ struct Renderer::Parts {
         const bool is_box = scene.surface.bounds.shape == scene::Bounds::Shape::box;
         const bool by_beams = own.beams && passes.beams.back().block == Blocks::side;
         fused->draw(table, tile, plan, inputs.background(),
-                    by_beams ? own.beams->blocks(tile)
+                    by_beams ? own.beams->blocks(tile, reads_at_once())
                              : blocks_in_bounds(inputs.eye.frame, is_box, tile));
     }
 

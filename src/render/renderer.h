@@ -68,6 +68,9 @@ struct RenderOptions {
     bool tells_endings = false;
     // Whether draw() measures the GPU's time for beams and rays, for which it waits.
     bool times_rays = false;
+    // Whether pictures are read back at once, as hardware is best asked, or in parts; by default as
+    // the context's renderer is. It changes no pixel.
+    std::optional<bool> reads_at_once{};
     // Threads that make grids of elements and copy pixels; 0: as many as the machine runs at once.
     int threads = 0;
     // Called before each tile and between its passes; if it returns true, draw() throws Stopped.
@@ -114,7 +117,8 @@ public:
     // Reuses a picture's memory for the next one.
     void reuse(Picture picture);
 
-    // Sets the size of the next pictures. Nothing is compiled or allocated, so it costs nothing.
+    // Sets the size of the next pictures. Nothing is compiled or allocated, so it costs nothing:
+    // shaders stay those of the options' size.
     // Pictures larger than the options' size are cut into more tiles. For that the options' sides
     // must be multiples of 64, otherwise this throws std::invalid_argument.
     void resize(int width, int height);

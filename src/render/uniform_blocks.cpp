@@ -63,8 +63,9 @@ glm::vec4 beam_range(const scene::SceneAt& now, int width, int height, const sce
     const double depth = glm::dot(rays.axis, forward);
     const double middle = glm::dot(now.bounds.centre - rays.origin, forward) / depth;
     const double half = 1.001 * now.bounds.radius / depth;
-    // Rays are in the bounds within `half` of the middle. Pieces of beams reach at most as far
-    // again beyond (shaders/proof/block_by_models.frag).
+    // Rays are in the bounds within `half` of the middle. Proofs of blocks begin at most as far
+    // again before (shaders/proof/block_by_models.frag). Places of models that lean farther have
+    // their own rounding (shaders/models/piece_of_block.glsl).
     const double reach = (std::abs(middle) + 2 * half) * depth;
     const double rounding =
         scene::ray_rounding(rays, now.bounds, scene::Norm::length).at_depth(reach);

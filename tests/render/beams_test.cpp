@@ -2,10 +2,14 @@
 // the camera.
 #include "render/drawing.h"
 
+#include <random>
+
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include "render/uniform_blocks.h"
 #include "scene/data_folder.h"
+#include "scene/ray_rounding.h"
 #include "scene/reading/load.h"
 #include "thorough.h"
 
@@ -234,6 +238,46 @@ TEST_P(Beams, PicturesOfAnySizeAndTiling) {
             EXPECT_LE(different, 1);
         }
     }
+}
+
+// Pieces are anywhere in the range, and those of proofs up to half of it before.
+TEST(BeamRange, RoundsAsRaysDoAtTheDepthsOfPieces) {
+    constexpr unsigned seed = 20261127;
+    std::mt19937 numbers(seed);
+    SCOPED_TRACE(fmt::format("seed {}", seed));
+    const auto between = [&](double low, double high) {
+        return std::uniform_real_distribution(low, high)(numbers);
+    };
+    int seen = 0;
+    for (int k = 0; k < 60; ++k) {
+        const auto triple = [&](double most) {
+            return fmt::format("[{}, {}, {}]", between(-most, most), between(-most, most),
+                               between(-most, most));
+        };
+        const double radius = std::pow(10.0, between(-3, 3)), far = std::pow(10.0, between(-1, 3));
+        const std::string text = fmt::format(
+            "[surface]\nformula = 'x^2 + y^2 + z^2 - 1'\n"
+            "bounds = {{ sphere = {}, centre = {} }}\n[camera]\nposition = {}\ntarget = {}\n{}\n",
+            radius, triple(3 * radius), triple(far * radius), triple(2 * radius),
+            k % 4 == 0 ? fmt::format("projection = 'orthographic'\nheight = {}", 3 * radius)
+                       : fmt::format("fov = {}", between(1, 170)));
+        SCOPED_TRACE(text);
+        const scene::Scene scene = scene_of(text);
+        const scene::SceneAt now =
+            scene::in_formula_coordinates(scene::at(scene, scene.timeline.values(1)));
+        const scene::Rays rays = scene::rays(now, 64, 48);
+        const double depth = glm::dot(rays.axis, glm::normalize(glm::cross(rays.up, rays.right)));
+        const auto allowed = scene::ray_rounding(rays, now.bounds, scene::Norm::length);
+        const glm::vec4 beam = beam_range(now, 64, 48, {}, 8);
+        const double range = double(beam.y) - double(beam.x);
+        if (range <= 0) continue; // the bounds are behind the eye
+        ++seen;
+        for (const double tau : {beam.x - 0.5 * range, double(beam.x), double(beam.y)}) {
+            EXPECT_GE(beam.w, 0.99999 * beam_roundings * allowed.at_depth(std::abs(tau) * depth))
+                << "tau " << tau;
+        }
+    }
+    EXPECT_GT(seen, 30);
 }
 
 } // namespace

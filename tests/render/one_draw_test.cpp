@@ -89,5 +89,28 @@ TEST_P(OneDraw, TheNextFrameIsTheSameByEither) {
     EXPECT_EQ(first.evaluations, again.evaluations);
 }
 
+// Hardware is asked for all at once, software renderers part by part: of plain scenes with and
+// without beams, of several tiles, and of scenes with passes.
+TEST_P(OneDraw, IsReadBackTheSameAtOnceAndInParts) {
+    for (const char* name : {"goursat", "chmutov_8", "superquadric", "chmutov_12_two_lights"}) {
+        for (const bool tiles : {false, true}) {
+            SCOPED_TRACE(fmt::format("{}{}", name, tiles ? " in tiles" : ""));
+            const scene::Scene scene = scene::load(name, {"look=none", "output.size=[301,173]"});
+            const auto read = [&](bool at_once) {
+                RenderOptions options{301, 173, every_channel};
+                if (tiles) options.plan = MarchPlan{128, 64, 60'000};
+                options.reads_at_once = at_once;
+                Renderer renderer(*context, scene, options);
+                return renderer.draw(scene::at(scene, scene.timeline.values(2)));
+            };
+            const Picture at_once = read(true), in_parts = read(false);
+            EXPECT_GT(count(at_once, Verdict::hit), 1000);
+            EXPECT_TRUE(same_bits(at_once.frame, in_parts.frame));
+            EXPECT_EQ(at_once.verdicts, in_parts.verdicts);
+            EXPECT_EQ(at_once.evaluations, in_parts.evaluations);
+        }
+    }
+}
+
 } // namespace
 } // namespace isomotion::render
