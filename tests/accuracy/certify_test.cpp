@@ -285,7 +285,7 @@ TEST_P(Certify, DoublesProveWhatFloatsCannot) {
 // Of so many rays a sample shows that floats decide hardly any, and doubles try the others at once:
 // those that floats would have proved, too, and each ray has one outcome.
 TEST_P(Certify, DoublesProveWhatFloatsAreNotAsked) {
-    constexpr int larger = 224; // some 30,000 rays hit
+    constexpr int larger = 512; // whose pixels are narrow enough
     const scene::Scene scene = scene_of(fmt::format(
         "[surface]\nuse = 'chmutov_14_power'\n[output]\nsize = [{0}, {0}]\n[isolation]\ncertify = "
         "true\n",
