@@ -111,9 +111,9 @@ bool is_long(const formula::Program& gradient) { return gradient.instructions.si
 
 Passes assemble(const scene::Scene& scene, const std::vector<Channel>& channels,
                 const Drawing& drawing) {
-    const auto [stage, platform, writes_buffers, finest_beam, tells_endings, pixels] = drawing;
+    const Stage stage = drawing.stage;
     const scene::MethodTraits& method = scene::traits(scene.isolation.method);
-    const bool on_web = platform == Platform::webgl;
+    const bool on_web = drawing.platform == Platform::webgl;
     Passes passes;
     passes.stage = stage;
     // A wall's normal is no slope along a ray.
@@ -125,23 +125,24 @@ Passes assemble(const scene::Scene& scene, const std::vector<Channel>& channels,
     passes.state_textures = method.state_textures;
     const auto find_elements = [&](bool keeps_copies) {
         static_cast<FieldStorage&>(passes) =
-            storage_of(scene, writes_buffers && !on_web, keeps_copies, platform);
+            storage_of(scene, drawing.writes_buffers && !on_web, keeps_copies, drawing.platform);
         // A page's beams that keep no bits find elements by place as its rays do.
         const bool by_beams = uses_beams(scene) && (on_web || !array_with_grid(passes)) &&
                               pays_in(stage, scene, has_lists(passes));
-        passes.beams = by_beams ? beam_levels(passes, finest_beam) : std::vector<BeamLevel>{};
+        passes.beams =
+            by_beams ? beam_levels(passes, drawing.finest_beam) : std::vector<BeamLevel>{};
     };
     find_elements(true);
     if (has_copies(passes) && !copies_fit(passes)) find_elements(false);
-    const bool settling_pays = pixels >= fewest_to_settle || pays_in(stage, scene, false);
-    if (!on_web && settling_pays && can_settle_blocks(scene, finest_beam))
-        passes.beams.push_back(level_by_models(finest_beam));
+    const bool settling_pays = drawing.pixels >= fewest_to_settle || pays_in(stage, scene, false);
+    if (!on_web && settling_pays && can_settle_blocks(scene, drawing.finest_beam))
+        passes.beams.push_back(level_by_models(drawing.finest_beam));
     // A polynomial is solved from where the eye's rays begin, off the surface: shadow rays from the
     // light end on it.
     if (!passes.beams.empty() && !solves && !on_web)
         passes.light_beams = shadow_mask(scene) & far_lights(scene);
     std::vector<Channel> wanted = channels;
-    if (scene.isolation.certify || tells_endings) wanted.push_back(Channel::ending);
+    if (scene.isolation.certify || drawing.tells_endings) wanted.push_back(Channel::ending);
     if (scene.isolation.certify && is_among(scene)) wanted.push_back(Channel::surface);
     passes.attachments = written_channels(wanted);
     const bool fuses =
