@@ -8,10 +8,29 @@
 #include <fmt/format.h>
 
 #include "render/scene_plan.h"
-#include "render/squares_apart.h"
 
 namespace isomotion::render {
 namespace {
+
+int blocks_in(int length, int block) { return (length + block - 1) / block; }
+
+// Texels for squares of that many pixels, which are kept apart.
+int texels_apart(int length, int square) {
+    return blocks_in(length, square) * synthesis::beam_square;
+}
+
+// Draws these blocks, from the corner of a square on, whose squares are `side` blocks across; none
+// beyond them.
+void draw_apart(const gpu::Fullscreen& triangle, const gpu::Rectangle& blocks, int side) {
+    const int right = blocks.x + blocks.width, top = blocks.y + blocks.height;
+    for (int y = blocks.y; y < top; y += side) {
+        for (int x = blocks.x; x < right; x += side) {
+            gpu::set_viewport({x / side * synthesis::beam_square, y / side * synthesis::beam_square,
+                               std::min(side, right - x), std::min(side, top - y)});
+            triangle.draw();
+        }
+    }
+}
 
 int blocks_of(const MarchPlan& tile, int block) {
     return blocks_in(tile.tile_width, block) * blocks_in(tile.tile_height, block);
@@ -80,25 +99,28 @@ void BeamPass::bind(const PassTable& table, const Level& level, const std::strin
     }
 }
 
-Blocks BeamPass::blocks(const gpu::Rectangle& tile, bool at_once) const {
+Blocks BeamPass::blocks(const gpu::Rectangle& tile, bool at_once) {
     const Level& level = levels_.back();
     if (level.block != Blocks::side)
         throw std::logic_error(fmt::format("the last beams have {} pixels across", level.block));
     Blocks found(tile.width, tile.height);
     const int side = 1 << level.square_bits;
-    const int row = at_once ? level.results.width() : side;
-    std::vector<float> parts;
-    if (at_once) parts = level.results.read(0, 0, 0, row, level.results.height());
+    const auto read = [&](int x, int y, int width, int height) {
+        parts_.resize(4 * std::size_t(width) * std::size_t(height));
+        level.results.read(0, x, y, width, height, parts_);
+    };
+    const int row = at_once ? texels_apart(found.across, side) : side;
+    if (at_once) read(0, 0, row, texels_apart(found.up, side));
     for (int up = 0; up < found.up; up += side) {
         for (int right = 0; right < found.across; right += side) {
             const int x = right / side * synthesis::beam_square;
             const int y = up / side * synthesis::beam_square;
-            if (!at_once) parts = level.results.read(0, x, y, side, side);
+            if (!at_once) read(x, y, side, side);
             const std::size_t first = at_once ? std::size_t(y) * std::size_t(row) + x : 0;
             const int width = std::min(side, found.across - right);
             const int height = std::min(side, found.up - up);
             for (int k = 0; k < width * height; ++k) {
-                const float* part = &parts[4 * (first + std::size_t(k / width * row + k % width))];
+                const float* part = &parts_[4 * (first + std::size_t(k / width * row + k % width))];
                 found.at(right + k % width, up + k / width) =
                     part[0] < part[1]
                         ? level.by_models && part[2] > 0 ? BlockKind::settled : BlockKind::open

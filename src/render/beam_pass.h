@@ -46,7 +46,7 @@ public:
 
     // What the last level found of a tile's blocks of 8 pixels, from pixel (0, 0) on. Waits for the
     // draws before: once for all, or for each square, of which a software renderer reads less.
-    Blocks blocks(const gpu::Rectangle& tile, bool at_once) const;
+    Blocks blocks(const gpu::Rectangle& tile, bool at_once);
 
     // The squares of every level divide this number of pixels.
     static constexpr int square = 256;
@@ -67,6 +67,7 @@ private:
     bool computes_; // in compute shaders, otherwise in fragment shaders
     std::vector<Level> levels_;
     int listed_ = 0;
+    std::vector<float> parts_; // of blocks read last
     gpu::Fullscreen triangle_;
 };
 

@@ -61,18 +61,26 @@ void ReadBack::at_once(const gpu::Target& from, std::span<const Attachment> atta
         end = pixels.ask(from, attachment.number, drawn, end);
     pixels.send();
     pixels.read([&](std::span<const std::byte> bytes) {
-        const auto* floats = reinterpret_cast<const float*>(bytes.data());
-        const std::vector<Strip> strips = strips_of(attachments, tile);
-        const std::size_t row = 4 * std::size_t(tile.width);
-        base::share({strips.size(), std::min(threads_, most_at_once)}, [&] {
-            return [&](std::size_t k) {
-                const Strip& strip = strips[k];
-                const auto before =
-                    std::size_t(strip.attachment - attachments.data()) * std::size_t(tile.height);
-                planes.copy(floats + (before + std::size_t(strip.y)) * row, tile, strip.y,
-                            strip.rows, strip.attachment->channels);
-            };
-        });
+        std::vector<const float*> texels;
+        for (const Attachment& attachment : attachments) {
+            texels.push_back(reinterpret_cast<const float*>(bytes.data()));
+            bytes = bytes.subspan(from.bytes_in(attachment.number, drawn));
+        }
+        copy(attachments, texels, tile, planes);
+    });
+}
+
+void ReadBack::copy(std::span<const Attachment> attachments, std::span<const float* const> texels,
+                    const gpu::Rectangle& tile, const Planes& planes) const {
+    const std::vector<Strip> strips = strips_of(attachments, tile);
+    base::share({strips.size(), std::min(threads_, most_at_once)}, [&] {
+        return [&](std::size_t k) {
+            const Strip& strip = strips[k];
+            const auto attachment = std::size_t(strip.attachment - attachments.data());
+            const std::size_t before = 4 * std::size_t(tile.width) * std::size_t(strip.y);
+            planes.copy(texels[attachment] + before, tile, strip.y, strip.rows,
+                        strip.attachment->channels);
+        };
     });
 }
 

@@ -30,10 +30,14 @@ public:
                    const gpu::Rectangle& tile, const Planes& planes);
 
     // Reads all of them at once into a pixel buffer that has room for them, since each read waits
-    // for the hardware. Then threads share the copies to the planes, which take longer than a
-    // graphics card takes to draw.
+    // for the hardware.
     void at_once(const gpu::Target& from, std::span<const Attachment> attachments,
                  const gpu::Rectangle& tile, const Planes& planes, gpu::Transfer& pixels) const;
+
+    // Copies attachments that are in memory: `texels` has where each begins. Threads share the
+    // copies, which take longer than a graphics card takes to draw.
+    void copy(std::span<const Attachment> attachments, std::span<const float* const> texels,
+              const gpu::Rectangle& tile, const Planes& planes) const;
 
 private:
     int threads_;

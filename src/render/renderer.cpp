@@ -58,7 +58,8 @@ struct Renderer::Parts {
         , record(plan.march.tile_width * plan.march.tile_height,
                  passes.has(Role::surface) && !passes.has(Role::fused))
         , planes(options.width, options.height)
-        , back(options.threads)
+        // A software renderer draws the next picture with all processors meanwhile.
+        , back(context.info().software ? 1 : options.threads)
         , layers(options.channels, passes.attachments)
         , result(plan.march.tile_width, plan.march.tile_height,
                  formats(passes, record, draws_over_each_other())) {
@@ -464,10 +465,13 @@ struct Renderer::Parts {
                              picture);
             }
             picture.frame = layers.blank(options.width, options.height, std::move(used));
-            layers.for_each_attachment(picture.frame, [&](int k, const auto& channels) {
-                planes.copy(reinterpret_cast<const float*>(begin[std::size_t(k)]), tile, 0,
-                            tile.height, channels);
-            });
+            const std::vector<Attachment> attachments = attachments_of(layers, picture.frame);
+            std::vector<const float*> texels;
+            for (const Attachment& attachment : attachments) {
+                const std::byte* of_attachment = begin[std::size_t(attachment.number)];
+                texels.push_back(reinterpret_cast<const float*>(of_attachment));
+            }
+            back.copy(attachments, texels, tile, planes);
         });
         if (!ended) return std::nullopt;
         fill_counts(tile, picture.frame);

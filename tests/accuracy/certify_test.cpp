@@ -282,8 +282,8 @@ TEST_P(Certify, DoublesProveWhatFloatsCannot) {
     EXPECT_EQ(errors.contradicted, 0);
 }
 
-// Of so many rays a sample shows that floats decide hardly any, and doubles try the others at once:
-// those that floats would have proved, too, and each ray has one outcome.
+// A sample of so many rays shows that floats decide hardly any, and doubles try the others at once.
+// They prove those that floats would have proved, too, and each ray has one outcome.
 TEST_P(Certify, DoublesProveWhatFloatsAreNotAsked) {
     constexpr int larger = 512; // whose pixels are narrow enough
     const scene::Scene scene = scene_of(fmt::format(
