@@ -23,11 +23,6 @@ struct RayState {
     float open_end;    // end of a piece that bounds left open, see rough.glsl; otherwise at most
                        // low; in PHASE_SOLVE, where F may touch 0, see touch_by_bounds.glsl
 #endif
-#ifdef DEGREE
-    // The polynomial's samples so far. They end with the pass; the next pass takes them anew.
-    float samples[DEGREE + 1];
-    int taken;
-#endif
 };
 
 uniform sampler2D state_texture_0;
@@ -53,10 +48,6 @@ RayState load_state() {
     s.other = c.xyz;
     s.open_end = c.w;
 #endif
-#ifdef DEGREE
-    s.taken = 0;
-    if (s.phase == PHASE_START) s.high = s.low;
-#endif
     return s;
 }
 
@@ -79,9 +70,6 @@ RayState state_at(float t) {
 #ifdef THREE_SAMPLES
     s.other = vec3(0.0);
     s.open_end = 0.0;
-#endif
-#ifdef DEGREE
-    s.taken = 0;
 #endif
     return s;
 }

@@ -6,7 +6,6 @@
 #include <fmt/format.h>
 
 #include "scene/error.h"
-#include "scene/method_domain.h"
 #include "scene/surfaces.h"
 
 namespace isomotion::accuracy {
@@ -53,37 +52,14 @@ scene::Scene apply(const Setting& setting, scene::Scene scene) {
     return scene;
 }
 
-namespace {
-
-// The methods that all surfaces can be marched by.
-std::vector<scene::Method> methods_for_all(const scene::Scene& scene) {
-    std::vector<scene::Method> methods = scene::methods_for(*scene.surface.field);
-    for (const scene::Scene& other : scene.others) {
-        const std::vector<scene::Method> its = scene::methods_for(*other.surface.field);
-        std::erase_if(methods, [&](auto method) { return std::ranges::count(its, method) == 0; });
-    }
-    return methods;
-}
-
-// What can be known to fail is told before minutes of measuring.
-void expect_usable(const scene::Scene& surface, const std::vector<scene::Method>& methods) {
-    for (const scene::Method method : methods) {
-        const std::string why = scene::refusal(method, *surface.surface.field);
-        if (why.empty()) continue;
-        throw scene::SceneError(
-            fmt::format("{}: --methods: {}", scene::place_of(surface, "surface.formula"), why));
-    }
-}
-
-} // namespace
-
 std::vector<Setting> sweep(const scene::Scene& scene, std::vector<scene::Method> methods,
                            std::vector<double> steps) {
     const scene::Isolation& own = scene.isolation;
     const bool narrowed = !methods.empty() || !steps.empty();
-    expect_usable(scene, methods);
-    for (const scene::Scene& other : scene.others) expect_usable(other, methods);
-    if (methods.empty()) methods = methods_for_all(scene);
+    if (methods.empty()) {
+        for (const scene::MethodTraits& entry : scene::method_traits)
+            methods.push_back(entry.method);
+    }
     if (steps.empty()) {
         for (const double factor : {4.0, 2.0, 1.0, 0.5, 0.25, 0.125}) {
             steps.push_back(factor * own.step);

@@ -305,7 +305,6 @@ Json surface_of(const WebSurface& web, const SurfaceValues& values, Texts& texts
     all["rules"] = rules_of(scene);
     all["evaluations"] = web.plan.march.evaluations_per_pass;
     all["shadowLights"] = std::popcount(unsigned(synthesis::shadow_mask(scene)));
-    all["degree"] = passes.degree;
     all["stateTextures"] = passes.state_textures;
     all["beams"] = beams_of(web);
     all["squaresApart"] = synthesis::beam_square;

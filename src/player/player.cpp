@@ -490,7 +490,7 @@ private:
         const std::uint64_t revision = session.revision();
         const std::optional<Command> asked = title_section(session.scene().title);
         std::optional<Command> wish;
-        view_section(look, session.scene(), area_.shown());
+        view_section(look, area_.shown());
         if (const auto at = scene_now()) wish = camera_section(look, at->camera);
         // This section comes before those that may be long.
         export_.show(*scene_, frame(), size_);

@@ -49,16 +49,4 @@ MarchPlan plan_march(const formula::Cost& evaluation, int width, int height, int
     return plan;
 }
 
-int evaluations_with_polynomial(int degree, double iterations, int planned) {
-    const int needed = degree + 1;
-    const double sums = needed * (1 + iterations);
-    if (sums > loop_iterations_per_pass) {
-        throw std::length_error(fmt::format(
-            "a polynomial of degree {} takes {} samples, which sum {:.0f} terms; a shader can sum "
-            "{:.0f}: draw fewer elements, or take another method than chebyshev",
-            degree, needed, sums, loop_iterations_per_pass));
-    }
-    return std::max(planned, needed);
-}
-
 } // namespace isomotion::render

@@ -36,9 +36,4 @@ MarchPlan plan_march(const formula::Cost& evaluation, int width, int height, int
 // Throws std::length_error if this exceeds the operations allowed at a point.
 void expect_drawable(double operations);
 
-// `planned`, or more if the samples of a polynomial need it, since no ray keeps these from pass to
-// pass. `iterations` is the number of loop iterations in one evaluation. Throws std::length_error
-// if a shader can't do so many.
-int evaluations_with_polynomial(int degree, double iterations, int planned);
-
 } // namespace isomotion::render

@@ -24,7 +24,7 @@ int RayMarcher::evaluations_of(Role role) const {
     const int all = is_planned ? plan_.march.evaluations_per_pass : plan_.evaluations_without_lists;
     if (role != Role::shadow) return all;
     // One light after the other, neighbours wait for the longest ray of each.
-    return std::max(all / shadow_lights_, passes_.degree + 1);
+    return std::max(all / shadow_lights_, 1);
 }
 
 const gpu::Target& RayMarcher::march(PassTable& table, Role role, const gpu::Rectangle& tile,

@@ -120,17 +120,16 @@ double turns_beside_lists(const scene::Scene& scene, const synthesis::Passes& pa
 
 // Shares the evaluations that a draw has room for among the parts that sections leave of a ray:
 // what a march may take in each, beside F where parts begin and end.
-int of_a_part(const scene::Scene& scene, const synthesis::Passes& passes, int evaluations) {
+int of_a_part(const scene::Scene& scene, int evaluations) {
     if (scene.sections.empty()) return evaluations;
     const int shared =
         (evaluations - synthesis::samples_at_sections(scene)) / synthesis::parts_of_a_ray(scene);
-    const int fewest = std::max(passes.degree + 1, 1);
-    if (shared >= fewest) return shared;
+    if (shared >= 1) return shared;
     throw std::length_error(fmt::format(
         "a draw has room for {} evaluations of the formula at a pixel, and {} sections take {}: "
         "draw fewer elements, or fewer sections",
         evaluations, scene.sections.size(),
-        synthesis::samples_at_sections(scene) + fewest * synthesis::parts_of_a_ray(scene)));
+        synthesis::samples_at_sections(scene) + synthesis::parts_of_a_ray(scene)));
 }
 
 MarchPlan plan_of_march(const scene::Scene& scene, const synthesis::Passes& passes, int width,
@@ -159,11 +158,7 @@ MarchPlan plan_of_march(const scene::Scene& scene, const synthesis::Passes& pass
         chosen.evaluations_per_pass =
             int(std::clamp(fitting_others, 1.0, double(chosen.evaluations_per_pass)));
     }
-    if (passes.degree > 0) {
-        chosen.evaluations_per_pass = evaluations_with_polynomial(passes.degree, cost.iterations,
-                                                                  chosen.evaluations_per_pass);
-    }
-    chosen.evaluations_per_pass = of_a_part(scene, passes, chosen.evaluations_per_pass);
+    chosen.evaluations_per_pass = of_a_part(scene, chosen.evaluations_per_pass);
     return chosen;
 }
 
@@ -171,8 +166,7 @@ int without_lists(const scene::Scene& scene, const synthesis::Passes& passes, in
     const formula::Cost all =
         synthesis::cost(*scene.surface.field, passes.samples, capacities(passes));
     const int fitting = int(loop_iterations_per_pass / (1 + all.iterations));
-    const int fewest = std::min(passes.degree + 1, planned);
-    return std::clamp(of_a_part(scene, passes, fitting), fewest, planned);
+    return std::clamp(of_a_part(scene, fitting), 1, planned);
 }
 
 // Elements of an array found by place: as many as the loops that shade a pixel can take.

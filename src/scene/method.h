@@ -16,7 +16,6 @@ enum class Method {
     interval,   // pieces with bounds on F and dF/dt (after Knoll et al. 2009)
     affine,     // pieces with F in the middle and bounds on dF/dt: first order, interval Newton
     sphere,     // steps by |F| and bounds on dF/dt (Hart 1996, Galin et al. 2020)
-    chebyshev,  // the polynomial that F is along the ray, from its degree + 1 samples
 };
 
 // What decides the distance from a sample to the next one.
@@ -24,7 +23,6 @@ enum class Steps {
     scene_step, // a length that the scene gives, adapted to F or not
     cubics,     // the estimated error of a cubic
     bounds,     // bounds on F and dF/dt over pieces of the ray, by interval arithmetic
-    polynomial, // the degree of F along the ray
 };
 
 // What one step of the march evaluates of the field.
@@ -116,16 +114,6 @@ inline constexpr MethodTraits method_traits[] = {
      {},
      {"sphere", "turn_piece"},
      "any_hit_turn",
-     true},
-    {Method::chebyshev,
-     "chebyshev",
-     "for polynomials of degree 1 to 12: the polynomial along the ray, solved",
-     Steps::polynomial,
-     Samples::value,
-     2,
-     {},
-     {"bernstein", "chebyshev", "turn_point"},
-     "any_hit_chebyshev",
      true},
 };
 

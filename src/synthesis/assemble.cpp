@@ -7,7 +7,6 @@
 
 #include "formula/element_kernels.h"
 #include "formula/linear_sum.h"
-#include "scene/method_domain.h"
 #include "synthesis/beam_copies_text.h"
 #include "synthesis/beam_text.h"
 #include "synthesis/effect.h"
@@ -120,8 +119,6 @@ Passes assemble(const scene::Scene& scene, const std::vector<Channel>& channels,
     passes.march_takes_gradient =
         is_long(scene.surface.field->gradient) && !scene.surface.jumps_are_walls;
     passes.samples = samples_of(scene, passes.march_takes_gradient);
-    const bool solves = method.steps == scene::Steps::polynomial;
-    if (solves) passes.degree = scene::solved_degree(*scene.surface.field);
     passes.state_textures = method.state_textures;
     const auto find_elements = [&](bool keeps_copies) {
         static_cast<FieldStorage&>(passes) =
@@ -137,9 +134,7 @@ Passes assemble(const scene::Scene& scene, const std::vector<Channel>& channels,
     const bool settling_pays = drawing.pixels >= fewest_to_settle || pays_in(stage, scene, false);
     if (!on_web && settling_pays && can_settle_blocks(scene, drawing.finest_beam))
         passes.beams.push_back(level_by_models(drawing.finest_beam));
-    // A polynomial is solved from where the eye's rays begin, off the surface: shadow rays from the
-    // light end on it.
-    if (!passes.beams.empty() && !solves && !on_web)
+    if (!passes.beams.empty() && !on_web)
         passes.light_beams = shadow_mask(scene) & far_lights(scene);
     std::vector<Channel> wanted = channels;
     if (scene.isolation.certify || drawing.tells_endings) wanted.push_back(Channel::ending);

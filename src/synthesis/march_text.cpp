@@ -6,7 +6,6 @@
 
 #include "synthesis/beam_copies_text.h"
 #include "synthesis/beam_text.h"
-#include "synthesis/bernstein_text.h"
 #include "synthesis/cells_text.h"
 #include "synthesis/effect_text.h"
 #include "synthesis/glass_text.h"
@@ -58,11 +57,6 @@ void add_isolation(ShaderText& text, const scene::Scene& scene, const Passes& pa
 
 // turn(), which takes a ray on by what one sample of the field tells.
 void add_turn(ShaderText& text, const scene::Scene& scene, const Passes& passes) {
-    if (passes.degree > 0) {
-        text.define("SOLVES", 1);
-        text.generated("generated: from samples to Bernstein's form",
-                       bernstein_text(passes.degree));
-    }
     const scene::MethodTraits& method = scene::traits(scene.isolation.method);
     const bool is_rough = meets_rough_places(scene);
     if (method.samples == scene::Samples::value_and_bounds || is_rough) {
@@ -132,15 +126,14 @@ void add_ray(ShaderText& text, const scene::Scene& scene, Origin origin) {
 
 void define_state(ShaderText& text, const Passes& passes) {
     if (passes.state_textures == 3) text.define("THREE_SAMPLES", 1);
-    if (passes.degree > 0) text.define("DEGREE", passes.degree);
 }
 
 // Whether the first sample of a march tells the sign of F where the ray begins, and the last one
-// where it leaves: then caps take no sample of their own. Breaks, free cells and polynomials leave
-// other values in a ray's state.
+// where it leaves: then caps take no sample of their own. Breaks and free cells leave other values
+// in a ray's state.
 bool samples_tell_caps(const scene::Scene& scene, const Passes& passes) {
     const scene::MethodTraits& method = scene::traits(scene.isolation.method);
-    if (passes_free_cells(scene, passes) || passes.degree > 0) return false;
+    if (passes_free_cells(scene, passes)) return false;
     if (method.samples == scene::Samples::value_and_bounds)
         return passes.samples.back() != FieldFunction::breaks;
     return method.steps == scene::Steps::cubics && !meets_rough_places(scene);

@@ -123,9 +123,6 @@ struct Passes : FieldStorage {
     int light_beams = 0;           // a bit for each light whose shadow rays use its own beams
     Stage stage = Stage::fragment; // of rays and beams; other passes are fragment shaders
     int state_textures = 2;        // for a ray's state between passes
-    // Degree of the polynomial in t that the method chebyshev solves, otherwise 0. A pass must hold
-    // its degree + 1 samples.
-    int degree = 0;
     // The functions of the field that a step of the march evaluates. For long formulas the march
     // also samples the gradient at the root, which otherwise the shade pass does.
     std::vector<FieldFunction> samples;

@@ -36,7 +36,7 @@ TEST(Settings, SweepMethodsAndSteps) {
     const auto all = sweep(scene, {}, {});
     EXPECT_EQ(all.size(), 3 * 6 + 4 + (std::size(scene::method_traits) - 4));
     EXPECT_EQ(name(all[0], scene.isolation), "marching step=0.4");
-    EXPECT_EQ(name(all.back(), scene.isolation), "chebyshev");
+    EXPECT_EQ(name(all.back(), scene.isolation), "sphere");
     scene::Scene stepping = scene;
     stepping.isolation.method = scene::Method::amp_sign;
     const auto more = sweep(stepping, {}, {});
@@ -51,28 +51,6 @@ TEST(Settings, SweepMethodsAndSteps) {
     EXPECT_EQ(changed.isolation.bisections, 9);
     EXPECT_EQ(changed.isolation.near, 4 * scene.isolation.near);
     EXPECT_EQ(changed.isolation.horizon, 4 * scene.isolation.horizon);
-}
-
-TEST(Settings, RefuseAMethodThatCannotDrawOneOfTheSurfaces) {
-    const scene::Scene scene = render::scene_of(R"(
-[[surfaces]]
-name = 'ball'
-formula = 'x^2 + y^2 + z^2 - 1'
-bounds = { sphere = 2 }
-[[surfaces]]
-name = 'wave'
-formula = 'z - sin(x)'
-bounds = { sphere = 2 }
-)");
-    using enum scene::Method;
-    EXPECT_EQ(sweep(scene, {interval, hermite}, {}).size(), 5u);
-    try {
-        sweep(scene, {interval, chebyshev}, {});
-        FAIL() << "nothing was thrown";
-    } catch (const scene::SceneError& error) {
-        EXPECT_THAT(error.what(), testing::HasSubstr(":8: surfaces.wave.formula: --methods: "
-                                                     "'chebyshev' solves polynomials"));
-    }
 }
 
 // A torus with a tube of 0.1: a step of 0.4 misses most of it, one of 0.01 next to nothing.

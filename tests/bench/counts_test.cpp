@@ -13,7 +13,6 @@
 #include <gtest/gtest.h>
 
 #include "methods/contest.h"
-#include "scene/method_domain.h"
 
 namespace isomotion::bench {
 namespace {
@@ -89,12 +88,12 @@ TEST_P(Counts, AreThoseExpected) {
     const auto context = gpu::Context::create();
     const Certified on = certified(surface(name), size, {});
     std::map<Key, Row> expected = read_table();
-    for (const scene::Method method : scene::methods_for(*on.subject.scene.surface.field)) {
-        const Key key(name, scene::name(method));
+    for (const scene::MethodTraits& method : scene::method_traits) {
+        const Key key(name, method.name);
         SCOPED_TRACE(fmt::format("{} {}", key.first, key.second));
         Row row;
         try {
-            const accuracy::Setting setting{method, on.subject.scene.isolation.step, 1,
+            const accuracy::Setting setting{method.method, on.subject.scene.isolation.step, 1,
                                             on.subject.scene.isolation.bisections,
                                             on.subject.scene.isolation.safety};
             const Count counted = count(*context, on, setting);

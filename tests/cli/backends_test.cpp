@@ -82,7 +82,6 @@ const BackEndScene scenes[] = {
     {"interval", {"goursat", "--frames", "1", "--method", "interval"}},
     {"affine", {"goursat", "--frames", "1", "--method", "affine"}},
     {"sphere", {"goursat", "--frames", "1", "--method", "sphere"}},
-    {"chebyshev", {"goursat", "--frames", "1", "--method", "chebyshev"}},
 };
 
 class BackEnds : public Cli, public testing::WithParamInterface<BackEndScene> {

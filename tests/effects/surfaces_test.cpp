@@ -78,7 +78,7 @@ int wrong(const scene::Scene& scene, const Picture& picture) {
 }
 
 TEST(Surfaces, TheNearestIsSeenAsTruthHasIt) {
-    for (const char* method : {"hermite", "interval", "affine", "chebyshev"}) {
+    for (const char* method : {"hermite", "interval", "affine"}) {
         SCOPED_TRACE(method);
         const scene::Scene scene = scene_of(
             ball("left", "[-0.6, 0, 0]", 1) +

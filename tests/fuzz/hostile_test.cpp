@@ -69,7 +69,6 @@ const std::vector<std::string> hostile_names{"main",
                                              "_",
                                              "__",
                                              "LIGHTS",
-                                             "DEGREE",
                                              "texture",
                                              "shared",
                                              "buffer",
@@ -220,7 +219,7 @@ TEST_P(Hostile, NamesAreNotInTheShaders) {
 // to what it has bounded (march_plan.h, beam_pass.h), and elements, whose number plan_march()
 // bounds.
 const std::set<std::string> bounds{
-    "LIGHTS", "RAYS",   "block_pieces", "DEGREE",           "TEXELS",      "MASK_WORDS",
+    "LIGHTS", "RAYS",   "block_pieces", "TEXELS",           "MASK_WORDS",
     "level",  "pieces", "samples",      "beam_evaluations", "evaluations", "array0_count"};
 
 // A counter that goes one way to a bound.

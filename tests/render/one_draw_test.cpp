@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include "scene/method_domain.h"
 #include "scene/reading/load.h"
 
 namespace isomotion::render {
@@ -35,18 +34,17 @@ int different_pixels(const Picture& a, const Picture& b, const char* channel, do
 // Drivers may order a formula's arithmetic otherwise from shader to shader: then F differs by last
 // bits, by which cubics take other steps. What they find is the same within what refining leaves.
 void OneDraw::expect_same(const char* name) {
-    for (const scene::Method method : scene::methods_for(*scene::load(name).surface.field)) {
-        SCOPED_TRACE(fmt::format("{} {}", name, scene::name(method)));
+    for (const scene::MethodTraits& entry : scene::method_traits) {
+        SCOPED_TRACE(fmt::format("{} {}", name, entry.name));
         const scene::Scene scene =
             scene::load(name, {"look=none", "output.size=[61,43]",
-                               fmt::format("isolation.method=\"{}\"", scene::name(method))});
+                               fmt::format("isolation.method=\"{}\"", entry.name)});
         const int frame = scene.output.poster;
         const Picture one = in_passes(scene, frame, 60'000);
         EXPECT_EQ(one.passes, 1);
         for (const int evaluations : {1, 3, 50}) {
             const Picture passes = in_passes(scene, frame, evaluations);
-            // A polynomial's samples take one pass whatever is planned.
-            if (evaluations == 1 && method != scene::Method::chebyshev) {
+            if (evaluations == 1) {
                 EXPECT_GT(passes.passes, 1);
             }
             if (same_bits(one.frame, passes.frame)) continue;

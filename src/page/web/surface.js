@@ -105,8 +105,8 @@ class SurfacePasses {
 
     // The evaluations of a ray in one draw. Shadow rays go to one light after the other.
     evaluationsOf(role) {
-        const { evaluations, shadowLights, degree } = this.about;
-        return role === "shadow" ? Math.max(Math.floor(evaluations / shadowLights), degree + 1)
+        const { evaluations, shadowLights } = this.about;
+        return role === "shadow" ? Math.max(Math.floor(evaluations / shadowLights), 1)
             : evaluations;
     }
 

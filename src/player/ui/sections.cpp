@@ -8,7 +8,6 @@
 
 #include "player/ui/theme.h"
 #include "player/ui/widget_rects.h"
-#include "scene/method_domain.h"
 
 namespace isomotion::player {
 namespace {
@@ -101,7 +100,7 @@ void difference_legend(const Difference& found, const RayCounts& left, const Ray
     ImGui::TextDisabled("second: %s", each(right).c_str());
 }
 
-bool method_combo(const char* id, scene::Method& method, const scene::Scene& scene) {
+bool method_combo(const char* id, scene::Method& method) {
     bool changed = false;
     ImGui::SetNextItemWidth(-1);
     if (!ImGui::BeginCombo(id, std::string(scene::name(method)).c_str(),
@@ -109,15 +108,12 @@ bool method_combo(const char* id, scene::Method& method, const scene::Scene& sce
         return false;
     }
     for (const auto& entry : scene::method_traits) {
-        const std::string why = scene::refusal(entry.method, *scene.surface.field);
-        const auto flags = why.empty() ? 0 : ImGuiSelectableFlags_Disabled;
-        if (ImGui::Selectable(std::string(entry.name).c_str(), entry.method == method, flags)) {
+        if (ImGui::Selectable(std::string(entry.name).c_str(), entry.method == method)) {
             method = entry.method;
             changed = true;
         }
-        if (ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) {
-            ImGui::SetTooltip("%s", why.empty() ? std::string(entry.summary).c_str() : why.c_str());
-        }
+        if (ImGui::IsItemHovered())
+            ImGui::SetTooltip("%s", std::string(entry.summary).c_str());
     }
     ImGui::EndCombo();
     return changed;
@@ -270,7 +266,7 @@ std::optional<Command> title_section(const std::string& title) {
     return wish;
 }
 
-void view_section(Look& look, const scene::Scene& scene, const std::optional<Shown>& shown) {
+void view_section(Look& look, const std::optional<Shown>& shown) {
     if (!heading("View")) return;
     const float gap = 4;
     const float width = (ImGui::GetContentRegionAvail().x - 2 * gap) / 3;
@@ -287,7 +283,7 @@ void view_section(Look& look, const scene::Scene& scene, const std::optional<Sho
     }
     if (look.view == View::difference) {
         row("second");
-        method_combo("##second", look.other.method, scene);
+        method_combo("##second", look.other.method);
         ImGui::Checkbox("right of the line: what differs", &look.map);
     }
     if (!shown || shown->view != look.view) return;
@@ -405,7 +401,7 @@ void parameter_section(Look& look, const Session& session, const animation::Valu
 
 void method_section(Look& look, const scene::Scene& scene) {
     if (!heading("Method")) return;
-    method_combo("##method", look.isolation.method, scene);
+    method_combo("##method", look.isolation.method);
     settings(look.isolation, scene.isolation);
     if (ImGui::Button("as the scene says", {-1, 0})) look.isolation = scene.isolation;
     ImGui::Checkbox("smooth edges at rest", &look.smooth);

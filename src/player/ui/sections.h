@@ -22,7 +22,7 @@ void row(const char* name, float less = 0);
 // button that was clicked.
 std::optional<Command> title_section(const std::string& title);
 
-void view_section(Look& look, const scene::Scene& scene, const std::optional<Shown>& shown);
+void view_section(Look& look, const std::optional<Shown>& shown);
 
 // Returns the command of a button that was clicked.
 std::optional<Command> camera_section(Look& look, const scene::CameraAt& camera);

@@ -20,7 +20,6 @@
 #include "scene/data_folder.h"
 #include "scene/found_bounds.h"
 #include "scene/limits.h"
-#include "scene/method_domain.h"
 #include "scene/reading/camera.h"
 #include "scene/reading/environment.h"
 #include "scene/reading/formula_scene.h"
@@ -312,9 +311,6 @@ Scene read_document_scene(toml::table& root, const fs::path& file, const base::C
     scene.timeline.animation = tracks.animate(parts->arrays, seed);
     make_field(*parts);
     expect_surface(scene, *parts);
-    if (const auto why = refusal(scene.isolation.method, *parts->surface.field); !why.empty()) {
-        fail(*given.method, "isolation.method", why);
-    }
     make_paints(material, *parts, scene.timeline.animation, scene.material);
     store_elements_of(*parts, paints_of(scene.material));
     if (reading != Reading::without_unused)

@@ -421,8 +421,7 @@ TEST_F(Assemble, EveryShaderFileIsUsedBySomeScene) {
             assemble(scene_of(surface_text("x") + effects), {Channel::velocity, Channel::cap});
         add(called);
     }
-    std::vector<std::string> texts{surface_text("x^3 - y", every_bounds[0], "chebyshev") +
-                                   every_effect[0]};
+    std::vector<std::string> texts{surface_text("x^3 - y", every_bounds[0]) + every_effect[0]};
     for (const auto& bounds : every_bounds) {
         texts.push_back(surface_text("x", bounds) + "certify = true\n");
         texts.push_back(surface_text(all_kernels, bounds) + "certify = true\n");
