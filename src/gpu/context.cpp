@@ -10,6 +10,8 @@
 #include <algorithm>
 #include <array>
 #include <cfenv>
+#include <cstdlib>
+#include <thread>
 #include <utility>
 
 namespace isomotion::gpu {
@@ -58,6 +60,12 @@ int integer_of(GLenum what) {
     GLint value = 0;
     glGetIntegerv(what, &value);
     return value;
+}
+
+// As Mesa's software renderer counts its threads; without any of them the caller's draws.
+int drawing_threads() {
+    const char* given = std::getenv("LP_NUM_THREADS");
+    return std::max(1, given ? std::atoi(given) : int(std::thread::hardware_concurrency()));
 }
 
 bool draws_in_software(std::string_view renderer) {
@@ -161,6 +169,7 @@ void Context::describe() {
         info_.max_storage_block_size = integer_of(GL_MAX_SHADER_STORAGE_BLOCK_SIZE);
     }
     info_.software = draws_in_software(info_.renderer);
+    info_.threads = info_.software ? drawing_threads() : 0;
 }
 
 } // namespace isomotion::gpu

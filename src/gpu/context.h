@@ -31,6 +31,7 @@ struct ContextInfo {
     int max_texture_buffer_size = 0; ///< texels
     int max_storage_block_size = 0;  ///< bytes; 0 before OpenGL 4.3
     bool software = false;
+    int threads = 0; ///< among which a software renderer shares its drawing; 0 of hardware
 };
 
 /// One back end that was tried and did not work.

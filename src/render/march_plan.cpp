@@ -22,7 +22,7 @@ double operations_per_draw_at(double operations_a_second) {
 }
 
 MarchPlan plan_march(const formula::Cost& evaluation, int width, int height, int max_tile,
-                     double operations_of_a_draw) {
+                     const DrawLimits& limits) {
     const double by_loops = loop_iterations_per_pass / (1 + evaluation.iterations);
     if (by_loops < 1) {
         throw std::length_error(
@@ -36,15 +36,21 @@ MarchPlan plan_march(const formula::Cost& evaluation, int width, int height, int
 
     MarchPlan plan;
     const double evaluations = std::min(useful_evaluations, by_loops);
-    int tile = 64;
-    while (2 * tile <= max_tile &&
-           4.0 * tile * tile * operations * evaluations <= operations_of_a_draw) {
+    constexpr int square = 64; // of a software renderer's thread
+    int tile = square;
+    const auto can_grow = [&](double evaluations_of_a_pixel) {
+        return 2 * tile <= max_tile &&
+               4.0 * tile * tile * operations * evaluations_of_a_pixel <= limits.operations;
+    };
+    while (can_grow(evaluations)) tile *= 2;
+    const double pixels = double(std::min(tile, width)) * std::min(tile, height);
+    const double by_work = limits.operations / (pixels * operations);
+    const auto squares = [&] { return (tile / square) * (tile / square); };
+    // The limit is of two threads.
+    while (limits.threads > 1 && squares() < 2 * limits.threads && can_grow(2.0 / limits.threads))
         tile *= 2;
-    }
     plan.tile_width = std::min(tile, width);
     plan.tile_height = std::min(tile, height);
-    const double pixels = double(plan.tile_width) * plan.tile_height;
-    const double by_work = operations_of_a_draw / (pixels * operations);
     plan.evaluations_per_pass = int(std::clamp(std::min(by_work, by_loops), 1.0, 60'000.0));
     return plan;
 }

@@ -20,9 +20,18 @@ struct MarchPlan {
 using synthesis::loop_iterations_per_pass;
 // Arithmetic operations in one draw: about a second on two cores with a software renderer.
 inline constexpr double operations_per_draw = 1e10;
-// The same for hardware that does so many operations a second in this stage (0: not known), at the
+// For hardware that does so many operations a second in this stage (0: not known), at the
 // 5 % of them that marches reach: half a second.
 double operations_per_draw_at(double operations_a_second);
+
+// What a draw may be given.
+struct DrawLimits {
+    double operations = operations_per_draw;
+    // Among which a software renderer shares a draw, square by square of 64x64 pixels. A tile has
+    // two squares for each, even if it takes more operations then, as long as one evaluation at
+    // every pixel takes no longer than these do by two threads.
+    int threads = 1;
+};
 
 // Limit on the operations of the field or its gradient at one point. Near it the smallest tile,
 // which one thread of a software renderer draws, takes some seconds, whatever the plan.
@@ -31,7 +40,7 @@ inline constexpr double operations_at_a_point = 2e7;
 // `evaluation` is the cost of sampling the field once. Throws std::length_error if one evaluation
 // alone exceeds the loop limit or the operations allowed at a point.
 MarchPlan plan_march(const formula::Cost& evaluation, int width, int height, int max_tile,
-                     double operations_of_a_draw = operations_per_draw);
+                     const DrawLimits& limits = {});
 
 // Throws std::length_error if this exceeds the operations allowed at a point.
 void expect_drawable(double operations);

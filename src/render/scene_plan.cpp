@@ -134,7 +134,7 @@ int of_a_part(const scene::Scene& scene, int evaluations) {
 
 MarchPlan plan_of_march(const scene::Scene& scene, const synthesis::Passes& passes, int width,
                         int height, int max_texture_size, const std::optional<MarchPlan>& wanted,
-                        double operations_of_a_draw) {
+                        const DrawLimits& limits) {
     const std::vector<int> counts = capacities(passes);
     std::vector<int> usual = elements_by_place(passes);
     if (synthesis::has_lists(passes)) usual[0] = std::min(usual[0], usual_list);
@@ -142,8 +142,8 @@ MarchPlan plan_of_march(const scene::Scene& scene, const synthesis::Passes& pass
     formula::Cost cost = synthesis::cost(*scene.surface.field, passes.samples, usual);
     expect_shadeable(scene, passes, by_place ? usual : counts);
     cost.iterations = std::max(cost.iterations, shade_iterations(scene, passes, usual));
-    const MarchPlan fitting = plan_march(
-        cost, width, height, std::min(largest_tile, max_texture_size), operations_of_a_draw);
+    const MarchPlan fitting =
+        plan_march(cost, width, height, std::min(largest_tile, max_texture_size), limits);
     MarchPlan chosen = wanted.value_or(fitting);
     // One draw marches and shades.
     const double with_shade =
@@ -205,10 +205,9 @@ std::vector<int> elements_by_place(const synthesis::Passes& passes) {
 
 ScenePlan plan_scene(const scene::Scene& scene, const synthesis::Passes& passes, int width,
                      int height, int max_texture_size, const std::optional<MarchPlan>& wanted,
-                     double operations_of_a_draw) {
+                     const DrawLimits& limits) {
     ScenePlan plan;
-    plan.march =
-        plan_of_march(scene, passes, width, height, max_texture_size, wanted, operations_of_a_draw);
+    plan.march = plan_of_march(scene, passes, width, height, max_texture_size, wanted, limits);
     plan.evaluations_without_lists = without_lists(scene, passes, plan.march.evaluations_per_pass);
     plan.most_elements_at_a_place = most_at_a_place(scene, passes);
     plan.element_budget = budget_of_elements(scene, passes);

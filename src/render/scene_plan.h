@@ -26,6 +26,6 @@ std::vector<int> elements_by_place(const synthesis::Passes& passes);
 // too long for a shader, and for a formula that no draw can evaluate.
 ScenePlan plan_scene(const scene::Scene& scene, const synthesis::Passes& passes, int width,
                      int height, int max_texture_size, const std::optional<MarchPlan>& wanted,
-                     double operations_of_a_draw = operations_per_draw);
+                     const DrawLimits& limits = {});
 
 } // namespace isomotion::render

@@ -25,6 +25,11 @@ const synthesis::Passes& checked(const synthesis::Passes& passes, const gpu::Con
     return passes;
 }
 
+DrawLimits limits_of_a_draw(const gpu::ContextInfo& info, synthesis::Stage stage) {
+    return {.operations = operations_per_draw_at(arithmetic_speed(info).in(stage)),
+            .threads = std::max(1, info.threads)};
+}
+
 // Each surface keeps the states of its rays: smaller tiles keep that in bounds.
 constexpr int largest_tile_of_several = 512;
 
@@ -40,8 +45,7 @@ PlannedSurface::PlannedSurface(scene::Scene surface, const RenderOptions& option
                                   .tells_endings = options.tells_endings,
                                   .pixels = std::int64_t(options.width) * options.height}))
     , plan(plan_scene(scene, checked(passes, info), options.width, options.height,
-                      info.max_texture_size, options.plan,
-                      operations_per_draw_at(arithmetic_speed(info).in(passes.stage)))) {
+                      info.max_texture_size, options.plan, limits_of_a_draw(info, passes.stage))) {
     // Whether one draw may end a ray, by the usual budget: the passes, and so the fingerprint, are
     // not to depend on how fast this machine is today.
     const ScenePlan usual = plan_scene(scene, passes, options.width, options.height,

@@ -10,6 +10,7 @@ which their size finds itself, the table tells
     a second     how many there were
     smallest     the smallest scale used, as a part of the window's sides (the least there is: 1/16)
     usual        the median scale
+    pixels a side  the median root of the picture's area
     draw         the median time of a draw, ms
     longest gap  between two pictures, ms
     to picture   how many pictures came from the moment that a picture was asked for, which an event
@@ -131,6 +132,7 @@ def measure(display, program, name, size, seconds):
         "pictures_a_second": (len(times) - 1) / (times[-1] - times[0]),
         "smallest_scale": min(l["scale"] for l in shown),
         "usual_scale": statistics.median(l["scale"] for l in shown),
+        "pixels_a_side": statistics.median(math.sqrt(math.prod(l["drawn"])) for l in shown),
         "draw_ms": statistics.median(l["milliseconds"] for l in shown),
         "longest_gap_ms": 1e3 * max(b - a for a, b in zip(times, times[1:])),
         "to_picture": max(to_picture),
@@ -141,11 +143,11 @@ def measure(display, program, name, size, seconds):
 def table(rows, arguments):
     text = (f"# The player, while its camera is turned\n\nWindow of {arguments.window}, {arguments.seconds:g} s of "
             f"each animation played; {os.cpu_count()} threads. Made by `tests/bench/player.py`.\n\n"
-            "| animation | a second | smallest | usual | draw, ms | longest gap, ms | to picture | window, s |\n"
-            "|---|--:|--:|--:|--:|--:|--:|--:|\n")
+            "| animation | a second | smallest | usual | pixels a side | draw, ms | longest gap, ms | to picture | window, s |\n"
+            "|---|--:|--:|--:|--:|--:|--:|--:|--:|\n")
     for r in rows:
         text += (f"| {r['animation']} | {r['pictures_a_second']:.1f} | {r['smallest_scale']:.2f} | "
-                 f"{r['usual_scale']:.2f} | {r['draw_ms']:.1f} | {r['longest_gap_ms']:.0f} | {r['to_picture']} | "
+                 f"{r['usual_scale']:.2f} | {r['pixels_a_side']:.0f} | {r['draw_ms']:.1f} | {r['longest_gap_ms']:.0f} | {r['to_picture']} | "
                  f"{r['window_s']:.2f} |\n")
     return text
 
@@ -155,7 +157,7 @@ def main():
     parser.add_argument("-o", "--output", type=pathlib.Path, required=True)
     parser.add_argument("--seconds", type=float, default=4)
     parser.add_argument("--window", default="1000x700")
-    parser.add_argument("--program", default=ROOT / "build/release/isomotion")
+    parser.add_argument("--program", type=pathlib.Path, default=ROOT / "build/release/isomotion")
     parser.add_argument("names", nargs="*")
     arguments = parser.parse_args()
     for needed in ("Xvfb", "xdotool"):

@@ -218,9 +218,9 @@ TEST_P(Hostile, NamesAreNotInTheShaders) {
 // What loops may go by: numbers written in the text, its constants, uniforms that the renderer sets
 // to what it has bounded (march_plan.h, beam_pass.h), and elements, whose number plan_march()
 // bounds.
-const std::set<std::string> bounds{
-    "LIGHTS", "RAYS",   "block_pieces", "TEXELS",           "MASK_WORDS",
-    "level",  "pieces", "samples",      "beam_evaluations", "evaluations", "array0_count"};
+const std::set<std::string> bounds{"LIGHTS",           "RAYS",        "block_pieces", "TEXELS",
+                                   "MASK_WORDS",       "level",       "pieces",       "samples",
+                                   "beam_evaluations", "evaluations", "array0_count"};
 
 // A counter that goes one way to a bound.
 bool is_counted(const std::string& head) {

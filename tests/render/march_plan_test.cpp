@@ -36,7 +36,8 @@ TEST(MarchPlan, FasterHardwareTakesFewerDraws) {
     const formula::Cost cost{100, 0};
     MarchPlan slower = plan_march(cost, 2048, 2048, 2048);
     for (const double speed : {1e12, 1e13, 1e14}) {
-        const MarchPlan plan = plan_march(cost, 2048, 2048, 2048, operations_per_draw_at(speed));
+        const MarchPlan plan =
+            plan_march(cost, 2048, 2048, 2048, {.operations = operations_per_draw_at(speed)});
         const auto of_a_draw = [](const MarchPlan& p) {
             return double(p.tile_width) * p.tile_height * p.evaluations_per_pass;
         };
@@ -45,6 +46,24 @@ TEST(MarchPlan, FasterHardwareTakesFewerDraws) {
         EXPECT_LE(plan.evaluations_per_pass, 65'535);
         slower = plan;
     }
+}
+
+// A thread of a software renderer draws squares of 64x64 pixels: one square keeps the others idle.
+TEST(MarchPlan, TilesHaveSquaresForAllThreads) {
+    for (const double operations : {10.0, 1e3, 5e4}) {
+        const MarchPlan alone = plan_march({operations, 75}, 2048, 2048, 2048);
+        for (const int threads : {2, 4, 16}) {
+            const MarchPlan plan =
+                plan_march({operations, 75}, 2048, 2048, 2048, {.threads = threads});
+            EXPECT_GE(plan.tile_width / 64 * (plan.tile_height / 64), 2 * threads) << operations;
+            EXPECT_GE(plan.tile_width, alone.tile_width);
+            EXPECT_EQ(plan.evaluations_per_pass, alone.evaluations_per_pass);
+        }
+    }
+    // Never so large that a single evaluation takes longer than a draw may.
+    const MarchPlan dear =
+        plan_march({operations_at_a_point, 0}, 2048, 2048, 2048, {.threads = 16});
+    EXPECT_EQ(dear.tile_width, 64);
 }
 
 TEST(MarchPlan, RefusesASumThatNoPassCanHold) {

@@ -112,8 +112,7 @@ bool method_combo(const char* id, scene::Method& method) {
             method = entry.method;
             changed = true;
         }
-        if (ImGui::IsItemHovered())
-            ImGui::SetTooltip("%s", std::string(entry.summary).c_str());
+        if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", std::string(entry.summary).c_str());
     }
     ImGui::EndCombo();
     return changed;
