@@ -38,6 +38,10 @@ TURNS_EVERY = 1 / 60
 PATIENCE = 120
 
 
+class NoPictures(Exception):
+    pass
+
+
 class Display:
     def __init__(self, width, height):
         told, tell = os.pipe()
@@ -51,8 +55,10 @@ class Display:
             sys.exit("Xvfb does not start")
         self.environment = dict(os.environ, DISPLAY=f":{number}")
 
-    def drive(self, *words):
-        subprocess.run(["xdotool", *map(str, words)], env=self.environment, check=True, stdout=subprocess.DEVNULL)
+    def drive(self, *words, must=True):
+        """Whether xdotool did so; if it must, an error otherwise."""
+        return subprocess.run(["xdotool", *map(str, words)], env=self.environment, check=must,
+                              stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL).returncode == 0
 
     def end(self):
         self.server.terminate()
@@ -70,14 +76,17 @@ def lines_of(log):
     return found
 
 
-def await_picture(log, player, holds=lambda line: True):
-    end = time.monotonic() + PATIENCE
-    while time.monotonic() < end and player.poll() is None:
-        for line in lines_of(log):
-            if "scale" in line and holds(line):
-                return line
+def expect_at_work(player, begin):
+    if player.poll() is not None:
+        raise NoPictures(f"the player ended with {player.returncode}")
+    if time.monotonic() > begin + PATIENCE:
+        raise NoPictures(f"nothing in {PATIENCE} s")
+
+
+def await_picture(log, player, begin):
+    while not any("scale" in line for line in lines_of(log)):
+        expect_at_work(player, begin)
         time.sleep(0.02)
-    sys.exit(f"no picture came: {lines_of(log)[-1:]}")
 
 
 def turn(display, centre, radius, seconds):
@@ -108,27 +117,34 @@ def measure(display, program, name, size, seconds):
         begin = time.monotonic()
         player = subprocess.Popen([program, "play", name, "--forget", "--log", log], cwd=folder,
                                   env=display.environment, stderr=subprocess.DEVNULL)
-        display.drive("search", "--sync", "--onlyvisible", "--name", "isomotion")
-        opened = time.monotonic() - begin
-        display.drive("search", "--onlyvisible", "--name", "isomotion", "windowsize", *size, "windowmove", 0, 0,
-                      "windowfocus", "--sync")
-        # A picture that compiled says that the shader is there.
-        line = await_picture(log, player)
-        time.sleep(0.3)
-        line = [l for l in lines_of(log) if "scale" in l][-1]
-        centre = [line["corner"][k] + line["size"][k] // 2 for k in (0, 1)]
-        since = line["seconds"]
-        turn(display, centre, min(line["size"]) // 4, seconds + FINDS_ITSELF)
-        shown = [l for l in lines_of(log) if "scale" in l and since + FINDS_ITSELF < l["seconds"] and not l["at_rest"]
-                 and l["seconds"] < since + FINDS_ITSELF + seconds]
-        player.terminate()
-        player.wait()
+        try:
+            return {"animation": name} | watch(display, player, log, begin, size, seconds)
+        finally:
+            player.terminate()
+            player.wait()
+
+
+def watch(display, player, log, begin, size, seconds):
+    while not display.drive("search", "--onlyvisible", "--name", "isomotion", must=False):
+        expect_at_work(player, begin)
+        time.sleep(0.02)
+    opened = time.monotonic() - begin
+    display.drive("search", "--onlyvisible", "--name", "isomotion", "windowsize", *size, "windowmove", 0, 0,
+                  "windowfocus", "--sync")
+    # A picture that compiled says that the shader is there.
+    await_picture(log, player, begin)
+    time.sleep(0.3)
+    line = [l for l in lines_of(log) if "scale" in l][-1]
+    centre = [line["corner"][k] + line["size"][k] // 2 for k in (0, 1)]
+    since = line["seconds"]
+    turn(display, centre, min(line["size"]) // 4, seconds + FINDS_ITSELF)
+    shown = [l for l in lines_of(log) if "scale" in l and since + FINDS_ITSELF < l["seconds"] and not l["at_rest"]
+             and l["seconds"] < since + FINDS_ITSELF + seconds]
     if len(shown) < 2:
-        sys.exit(f"{name}: fewer than two pictures in {seconds} s")
+        raise NoPictures(f"fewer than two pictures in {seconds:g} s")
     times = [l["seconds"] for l in shown]
     to_picture = [sum(l["asked"] < at <= l["seconds"] for at in times) for l in shown]
     return {
-        "animation": name,
         "pictures_a_second": (len(times) - 1) / (times[-1] - times[0]),
         "smallest_scale": min(l["scale"] for l in shown),
         "usual_scale": statistics.median(l["scale"] for l in shown),
@@ -140,7 +156,7 @@ def measure(display, program, name, size, seconds):
     }
 
 
-def table(rows, arguments):
+def table(rows, without, arguments):
     text = (f"# The player, while its camera is turned\n\nWindow of {arguments.window}, {arguments.seconds:g} s of "
             f"each animation played; {os.cpu_count()} threads. Made by `tests/bench/player.py`.\n\n"
             "| animation | a second | smallest | usual | pixels a side | draw, ms | longest gap, ms | to picture | window, s |\n"
@@ -149,6 +165,8 @@ def table(rows, arguments):
         text += (f"| {r['animation']} | {r['pictures_a_second']:.1f} | {r['smallest_scale']:.2f} | "
                  f"{r['usual_scale']:.2f} | {r['pixels_a_side']:.0f} | {r['draw_ms']:.1f} | {r['longest_gap_ms']:.0f} | {r['to_picture']} | "
                  f"{r['window_s']:.2f} |\n")
+    if without:
+        text += "\nWithout pictures: " + "; ".join(without) + ".\n"
     return text
 
 
@@ -167,10 +185,15 @@ def main():
     size = [int(side) for side in arguments.window.split("x")]
     arguments.output.mkdir(parents=True, exist_ok=True)
     display = Display(*size)
-    rows = []
+    rows, without = [], []
     try:
         for name in names:
-            rows.append(measure(display, arguments.program, name, size, arguments.seconds))
+            try:
+                rows.append(measure(display, arguments.program, name, size, arguments.seconds))
+            except NoPictures as why:
+                print(name, why, flush=True)
+                without.append(f"{name}: {why}")
+                continue
             print(*(f"{value:.2f}" if isinstance(value, float) else value for value in rows[-1].values()), flush=True)
     finally:
         display.end()
@@ -179,7 +202,7 @@ def main():
                 writer = csv.DictWriter(file, rows[0].keys())
                 writer.writeheader()
                 writer.writerows(rows)
-            (arguments.output / "player.md").write_text(table(rows, arguments))
+            (arguments.output / "player.md").write_text(table(rows, without, arguments))
 
 
 if __name__ == "__main__":
