@@ -150,7 +150,12 @@ private:
         }
         const double before = slope(a - beside), after = slope(b + beside);
         const double usual = std::max({usual_slope_, std::abs(before), std::abs(after)});
-        return std::abs(after - before) <= 1e-3 * usual ? Met::even_slopes : Met::change;
+        const double change = std::abs(after - before);
+        if (change <= 1e-3 * usual) return Met::even_slopes;
+        // F may be flat on one side, along the entire line. A bend that begins there changes slopes
+        // in proportion to the distance.
+        const double wider = std::abs(slope(b + 16 * beside) - slope(a - 16 * beside));
+        return wider >= 8 * change ? Met::even_slopes : Met::change;
     }
 
     // Parts of a line: how closely a place is found, and from how far its slopes are taken.

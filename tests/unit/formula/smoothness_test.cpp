@@ -53,6 +53,15 @@ TEST(Smoothness, KinksAcrossWhichSlopesGoOnAreNone) {
           "(1 - sqrt(x^2 + y^2))^2 + z^2 - 0.1"}) { // a torus: its axis is off the surface
         EXPECT_EQ(words_of(text, 2.5), "smooth") << text;
     }
+    // Small and flat elsewhere: most lines that meet the ball hardly do, and F has no usual slope.
+    for (const char* text : {"(1 - U)^2*(1 - 4/9*U) - 0.5", "(1 - U)^2 - 0.5"}) {
+        std::string ball = text;
+        for (std::size_t at; (at = ball.find('U')) != std::string::npos;)
+            ball.replace(at, 1, "min(1, 300*(x^2 + y^2 + z^2))");
+        EXPECT_EQ(words_of(ball), "smooth") << ball;
+    }
+    EXPECT_EQ(words_of("0.5 - max(0, 1 - 300*(x^2 + y^2 + z^2))"), "with kinks");
+    EXPECT_EQ(words_of("0.5 - sqrt(max(0, 1 - 300*(x^2 + y^2 + z^2)))"), "with kinks");
     // What a parameter comes to decides.
     EXPECT_EQ(words_of("abs(x)^p + y", 0.8), "with kinks");
     EXPECT_EQ(words_of("(p - sqrt(x^2 + y^2))^2 + z^2 - 0.25", Interval(0.4, 0.6)), "with kinks");
