@@ -59,11 +59,14 @@ enum class Met {
 // What slopes do at the places of a decoration, along random lines.
 class LineProbe {
 public:
+    static constexpr int asks_of_a_line = 500, slopes_of_a_line = 32;
+
     LineProbe(const Program& decoration, const Program& directional)
         : decoration_(decoration)
         , directional_(directional) {}
 
-    Met along_lines(const Region& region, int lines) {
+    // Goes on up to `most` lines where nothing was met along so many.
+    Met along_lines(const Region& region, int lines, int most) {
         bindings_ = region.bindings;
         numbers_.parameters.clear();
         for (Interval& value : bindings_.parameters) {
@@ -82,14 +85,19 @@ public:
             }
         }
         Met all = Met::nothing;
-        for (int k = 0; k < lines && all != Met::change; ++k) {
+        for (int k = 0; k < (all == Met::nothing ? most : lines) && all != Met::change; ++k) {
             draw_line(region.box);
             if (!may_be_in(0, 1)) continue;
             usual_slope_ = 0;
             for (int part = 0; part < 16; ++part)
                 usual_slope_ += std::abs(slope((part + 0.5) / 16)) / 16;
-            for (int descent = 0; descent < 8 && all != Met::change; ++descent)
-                all = std::max(all, descend());
+            // Dead ends, which wide bounds lead to, are left early: others are tried instead.
+            asks_left_ = asks_of_a_line;
+            for (int met = 0; met < 8 && asks_left_ > 0 && all != Met::change;) {
+                const Met found = descend();
+                met += found != Met::nothing;
+                all = std::max(all, found);
+            }
         }
         return all;
     }
@@ -129,6 +137,7 @@ private:
     }
 
     bool may_be_in(double a, double b) {
+        --asks_left_;
         Box box;
         for (std::size_t k = 0; k < 3; ++k)
             box[k] = Interval(from_[k]) + Interval(a, b) * Interval(along_[k]);
@@ -168,6 +177,7 @@ private:
     std::array<double, 3> from_{}, along_{};
     double usual_slope_ = 0;
     std::mt19937_64 random_;
+    int asks_left_ = 0; // of the decoration
 };
 
 // What is asked of one field over some regions.
@@ -232,14 +242,15 @@ private:
         if (!may_look()) return true;
         const Program program = schedule(graph_, std::array{decoration});
         LineProbe probe(program, field_.directional);
-        // A line takes some 500 evaluations of the decoration, and some 32 slopes.
-        const double line = 500 * (cost(program, counts_).operations + 1) +
-                            32 * cost(field_.directional, counts_).operations;
-        const double most = operations_ / (line * double(regions_.size()));
-        const int lines = int(std::clamp(most, 0.0, regions_.size() > 1 ? 8.0 : 32.0));
+        const double line =
+            LineProbe::asks_of_a_line * (cost(program, counts_).operations + 1) +
+            LineProbe::slopes_of_a_line * cost(field_.directional, counts_).operations;
+        const int most =
+            int(std::clamp(operations_ / (line * double(regions_.size())), 0.0, 1000.0));
+        const int lines = std::min(most, regions_.size() > 1 ? 8 : 32);
         Met all = Met::nothing;
         for (const Region& region : regions_) {
-            all = std::max(all, probe.along_lines(region, lines));
+            all = std::max(all, probe.along_lines(region, lines, most));
             if (all >= least) return true;
         }
         return all == Met::nothing && may_be_near_0(decoration, value_with_gaps());

@@ -1,6 +1,7 @@
 // What a formula is said to be, by what it is and not by the names in it.
 #include "formula/smoothness.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 namespace isomotion::formula {
@@ -53,12 +54,16 @@ TEST(Smoothness, KinksAcrossWhichSlopesGoOnAreNone) {
           "(1 - sqrt(x^2 + y^2))^2 + z^2 - 0.1"}) { // a torus: its axis is off the surface
         EXPECT_EQ(words_of(text, 2.5), "smooth") << text;
     }
-    // Small and flat elsewhere: most lines that meet the ball hardly do, and F has no usual slope.
-    for (const char* text : {"(1 - U)^2*(1 - 4/9*U) - 0.5", "(1 - U)^2 - 0.5"}) {
-        std::string ball = text;
-        for (std::size_t at; (at = ball.find('U')) != std::string::npos;)
-            ball.replace(at, 1, "min(1, 300*(x^2 + y^2 + z^2))");
-        EXPECT_EQ(words_of(ball), "smooth") << ball;
+    // Balls in a flat space: slopes beside their edges are tiny, and so are those of most lines,
+    // which hardly meet small balls.
+    for (const int waves : {2, 3, 5, 9}) {
+        for (const int sharpness : {5, 50, 200}) {
+            const std::string ball = fmt::format(
+                "min(1, {1}*(sin({0}*x)^2 + sin({0}*y)^2 + sin({0}*z)^2))", waves, sharpness);
+            EXPECT_EQ(words_of(fmt::format("(1 - {0})^2*(1 - 4/9*{0}) - 0.5", ball)), "smooth")
+                << ball;
+            EXPECT_EQ(words_of(fmt::format("1 - {} - 0.5", ball)), "with kinks") << ball;
+        }
     }
     EXPECT_EQ(words_of("0.5 - max(0, 1 - 300*(x^2 + y^2 + z^2))"), "with kinks");
     EXPECT_EQ(words_of("0.5 - sqrt(max(0, 1 - 300*(x^2 + y^2 + z^2)))"), "with kinks");
