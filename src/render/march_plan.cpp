@@ -47,7 +47,7 @@ MarchPlan plan_march(const formula::Cost& evaluation, int width, int height, int
     const double by_work = limits.operations / (pixels * operations);
     const auto squares = [&] { return (tile / square) * (tile / square); };
     // The limit is of two threads.
-    while (limits.threads > 1 && squares() < 2 * limits.threads && can_grow(2.0 / limits.threads))
+    while (limits.threads > 1 && squares() < 32 * limits.threads && can_grow(2.0 / limits.threads))
         tile *= 2;
     plan.tile_width = std::min(tile, width);
     plan.tile_height = std::min(tile, height);

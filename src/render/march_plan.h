@@ -28,7 +28,7 @@ double operations_per_draw_at(double operations_a_second);
 struct DrawLimits {
     double operations = operations_per_draw;
     // Among which a software renderer shares a draw, square by square of 64x64 pixels. A tile has
-    // two squares for each, even if it takes more operations then, as long as one evaluation at
+    // 32 squares for each, even if it takes more operations then, as long as one evaluation at
     // every pixel takes no longer than these do by two threads.
     int threads = 1;
 };
