@@ -72,7 +72,7 @@ TEST_F(ValueMistakes, OutOfRange) {
     expect_in("isolation", "limit = 0", "limit: must be from 1 to 10000000, not 0");
     expect_in("isolation", "method = \"newton\"",
               "method: there is no method 'newton'; known: marching, amp-sign, amp-taylor, "
-              "hermite, interval, affine, sphere, chebyshev");
+              "hermite, interval, affine, sphere");
 }
 
 TEST_F(ValueMistakes, FrameRates) {
