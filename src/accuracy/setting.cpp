@@ -1,12 +1,8 @@
 #include "accuracy/setting.h"
 
-#include <algorithm>
 #include <utility>
 
 #include <fmt/format.h>
-
-#include "scene/error.h"
-#include "scene/surfaces.h"
 
 namespace isomotion::accuracy {
 

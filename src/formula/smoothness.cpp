@@ -59,15 +59,39 @@ enum class Met {
 // What slopes do at the places of a decoration, along random lines.
 class LineProbe {
 public:
-    static constexpr int asks_of_a_line = 500, slopes_of_a_line = 32;
-
-    LineProbe(const Program& decoration, const Program& directional)
+    // `bends_are_even`: bends that begin where F is flat along an entire line are no changes.
+    LineProbe(const Program& decoration, const Program& directional, bool bends_are_even)
         : decoration_(decoration)
-        , directional_(directional) {}
+        , directional_(directional)
+        , bends_are_even_(bends_are_even) {}
 
-    // Goes on up to `most` lines where nothing was met along so many.
-    Met along_lines(const Region& region, int lines, int most) {
-        bindings_ = region.bindings;
+    Met along_lines(const Region& region, int lines) {
+        enter(region.bindings);
+        Met all = Met::nothing;
+        for (int k = 0; k < lines && all != Met::change; ++k) {
+            draw_line(region.box);
+            all = std::max(all, along_line(8, 8));
+        }
+        return all;
+    }
+
+    // The same with one element of the one array alone, whose decoration few lines may meet: along
+    // a line through a place where it may be.
+    Met at_element(const Region& region, int element) {
+        Bindings<Interval> alone = region.bindings;
+        alone.arrays[0].count = 1;
+        for (auto& field : alone.arrays[0].fields)
+            if (!field.empty()) field = {field[std::size_t(element)]};
+        enter(alone);
+        for (int tries = 0; tries < 8; ++tries)
+            if (aim_line(region.box)) return along_line(32, 4);
+        return Met::nothing;
+    }
+
+private:
+    // Parameters and elements are in the middle of what they may be.
+    void enter(const Bindings<Interval>& bindings) {
+        bindings_ = bindings;
         numbers_.parameters.clear();
         for (Interval& value : bindings_.parameters) {
             value = mid(value);
@@ -84,34 +108,53 @@ public:
                 }
             }
         }
+    }
+
+    // At most so many descents, of which so many meet a place.
+    Met along_line(int descents, int places) {
+        if (!may_be_in(0, 1)) return Met::nothing;
+        usual_slope_ = 0;
+        for (int part = 0; part < 16; ++part)
+            usual_slope_ += std::abs(slope((part + 0.5) / 16)) / 16;
         Met all = Met::nothing;
-        for (int k = 0; k < (all == Met::nothing ? most : lines) && all != Met::change; ++k) {
-            draw_line(region.box);
-            if (!may_be_in(0, 1)) continue;
-            usual_slope_ = 0;
-            for (int part = 0; part < 16; ++part)
-                usual_slope_ += std::abs(slope((part + 0.5) / 16)) / 16;
-            // Dead ends, which wide bounds lead to, are left early: others are tried instead.
-            asks_left_ = asks_of_a_line;
-            for (int met = 0; met < 8 && asks_left_ > 0 && all != Met::change;) {
-                const Met found = descend();
-                met += found != Met::nothing;
-                all = std::max(all, found);
-            }
+        for (int met = 0; descents > 0 && met < places && all != Met::change; --descents) {
+            const Met found = descend();
+            met += found != Met::nothing;
+            all = std::max(all, found);
         }
         return all;
     }
 
-private:
     double in(const Interval& side) {
         return side.lo + (side.hi - side.lo) * double(random_() >> 11) * 0x1p-53;
     }
 
     // Draws a line at random, from side to side of the box.
     void draw_line(const Box& box) {
+        for (std::size_t k = 0; k < 3; ++k) from_[k] = in(box[k]);
+        draw_direction(box);
+    }
+
+    // The same through a place where the decoration may be; false if none was found.
+    bool aim_line(const Box& box) {
+        Box part = box;
+        for (std::size_t k = 0; k < 3 * 8; ++k) {
+            Interval& side = part[k % 3];
+            std::array halves{Interval(side.lo, mid(side)), Interval(mid(side), side.hi)};
+            if (random_() >> 63) std::swap(halves[0], halves[1]);
+            side = halves[0];
+            if (may_be_in(part)) continue;
+            side = halves[1];
+            if (!may_be_in(part)) return false;
+        }
+        for (std::size_t k = 0; k < 3; ++k) from_[k] = mid(part[k]);
+        draw_direction(box);
+        return true;
+    }
+
+    void draw_direction(const Box& box) {
         double begin = -HUGE_VAL, end = HUGE_VAL;
         for (std::size_t k = 0; k < 3; ++k) {
-            from_[k] = in(box[k]);
             along_[k] = in(box[k]) - from_[k];
             const double a = (box[k].lo - from_[k]) / along_[k];
             const double b = (box[k].hi - from_[k]) / along_[k];
@@ -137,10 +180,13 @@ private:
     }
 
     bool may_be_in(double a, double b) {
-        --asks_left_;
         Box box;
         for (std::size_t k = 0; k < 3; ++k)
             box[k] = Interval(from_[k]) + Interval(a, b) * Interval(along_[k]);
+        return may_be_in(box);
+    }
+
+    bool may_be_in(const Box& box) {
         Interval decoration;
         decoration_.point(bindings_, box, {&decoration, 1});
         return !is_0(decoration);
@@ -161,8 +207,8 @@ private:
         const double usual = std::max({usual_slope_, std::abs(before), std::abs(after)});
         const double change = std::abs(after - before);
         if (change <= 1e-3 * usual) return Met::even_slopes;
-        // F may be flat on one side, along the entire line. A bend that begins there changes slopes
-        // in proportion to the distance.
+        // Slopes of a kink differ as much from farther away, those of a bend in proportion.
+        if (!bends_are_even_) return Met::change;
         const double wider = std::abs(slope(b + 16 * beside) - slope(a - 16 * beside));
         return wider >= 8 * change ? Met::even_slopes : Met::change;
     }
@@ -172,12 +218,12 @@ private:
 
     Evaluator<Interval> decoration_;
     Evaluator<double> directional_;
+    bool bends_are_even_;
     Bindings<Interval> bindings_;
     Bindings<double> numbers_;
     std::array<double, 3> from_{}, along_{};
     double usual_slope_ = 0;
     std::mt19937_64 random_;
-    int asks_left_ = 0; // of the decoration
 };
 
 // What is asked of one field over some regions.
@@ -235,24 +281,50 @@ private:
                             [&](const Region& region) { return inspection.holds(region); });
     }
 
+    // Whether a decoration is of the terms of the one array. Cubics step over no such term where F
+    // is flat beside it, since the elements' sizes bound their steps (render/element_radius.h).
+    bool is_of_elements(const Program& decoration) const {
+        return counts_.size() == 1 &&
+               std::ranges::any_of(decoration.instructions, [](const Instruction& now) {
+                   return now.kind == Instruction::Kind::loop_begin;
+               });
+    }
+
+    // What an even selection of elements does, each alone.
+    Met at_elements(LineProbe& probe) const {
+        constexpr int most = 64;
+        Met all = Met::nothing;
+        const int count = counts_.front(), some = std::min(count, most);
+        for (int k = 0; k < some && all != Met::change; ++k) {
+            const Region& region = regions_[std::size_t(k) % regions_.size()];
+            const auto element = int(std::int64_t(k) * count / some);
+            for (int line = 0; line < 2 && all != Met::change; ++line)
+                all = std::max(all, probe.at_element(region, element));
+        }
+        return all;
+    }
+
     // Cubics may go wrong at any place that a ray can meet, also off the surface: where min(a, b)
     // turns from a to b, b may be on its way to 0. Places that few rays meet, as
     // sqrt(x^2 + y^2) = 0, matter where F may be 0.
     bool matters(NodeId decoration, Met least) {
         if (!may_look()) return true;
         const Program program = schedule(graph_, std::array{decoration});
-        LineProbe probe(program, field_.directional);
-        const double line =
-            LineProbe::asks_of_a_line * (cost(program, counts_).operations + 1) +
-            LineProbe::slopes_of_a_line * cost(field_.directional, counts_).operations;
-        const int most =
-            int(std::clamp(operations_ / (line * double(regions_.size())), 0.0, 1000.0));
-        const int lines = std::min(most, regions_.size() > 1 ? 8 : 32);
+        const bool of_elements = is_of_elements(program);
+        LineProbe probe(program, field_.directional, of_elements);
+        // A line takes some 500 evaluations of the decoration, and at most 48 slopes.
+        const double line = 500 * (cost(program, counts_).operations + 1) +
+                            48 * cost(field_.directional, counts_).operations;
+        const double most = operations_ / (line * double(regions_.size()));
+        const int lines = int(std::clamp(most, 0.0, regions_.size() > 1 ? 8.0 : 32.0));
         Met all = Met::nothing;
         for (const Region& region : regions_) {
-            all = std::max(all, probe.along_lines(region, lines, most));
+            all = std::max(all, probe.along_lines(region, lines));
             if (all >= least) return true;
         }
+        // A field may make one element unlike the others. Few lines meet each of many.
+        if (of_elements) all = std::max(all, at_elements(probe));
+        if (all >= least) return true;
         return all == Met::nothing && may_be_near_0(decoration, value_with_gaps());
     }
 

@@ -10,7 +10,9 @@
 #include <algorithm>
 #include <array>
 #include <cfenv>
+#include <charconv>
 #include <cstdlib>
+#include <cstring>
 #include <thread>
 #include <utility>
 
@@ -62,10 +64,13 @@ int integer_of(GLenum what) {
     return value;
 }
 
-// As Mesa's software renderer counts its threads; without any of them the caller's draws.
+// As many as Mesa's software renderer takes. Without any the caller's thread draws.
 int drawing_threads() {
-    const char* given = std::getenv("LP_NUM_THREADS");
-    return std::max(1, given ? std::atoi(given) : int(std::thread::hardware_concurrency()));
+    constexpr int most = 32;
+    int threads = int(std::thread::hardware_concurrency());
+    if (const char* given = std::getenv("LP_NUM_THREADS"))
+        std::from_chars(given, given + std::strlen(given), threads);
+    return std::clamp(threads, 1, most);
 }
 
 bool draws_in_software(std::string_view renderer) {

@@ -21,6 +21,21 @@ double operations_per_draw_at(double operations_a_second) {
     return std::clamp(reached * seconds * operations_a_second, operations_per_draw, most);
 }
 
+namespace {
+
+// The tile grown until it has enough squares for all threads.
+template<class Work>
+int shared_tile(int tile, int most, const DrawLimits& limits, const Work& work) {
+    constexpr int square = 64;
+    const double shared = 8.0 * limits.threads * limits.operations;
+    while (limits.threads > 1 && 2 * tile <= most && work(2 * tile) <= shared &&
+           tile / square * (tile / square) < 32 * limits.threads)
+        tile *= 2;
+    return tile;
+}
+
+} // namespace
+
 MarchPlan plan_march(const formula::Cost& evaluation, int width, int height, int max_tile,
                      const DrawLimits& limits) {
     const double by_loops = loop_iterations_per_pass / (1 + evaluation.iterations);
@@ -36,22 +51,21 @@ MarchPlan plan_march(const formula::Cost& evaluation, int width, int height, int
 
     MarchPlan plan;
     const double evaluations = std::min(useful_evaluations, by_loops);
-    constexpr int square = 64; // of a software renderer's thread
-    int tile = square;
-    const auto can_grow = [&](double evaluations_of_a_pixel) {
-        return 2 * tile <= max_tile &&
-               4.0 * tile * tile * operations * evaluations_of_a_pixel <= limits.operations;
-    };
-    while (can_grow(evaluations)) tile *= 2;
-    const double pixels = double(std::min(tile, width)) * std::min(tile, height);
-    const double by_work = limits.operations / (pixels * operations);
-    const auto squares = [&] { return (tile / square) * (tile / square); };
-    // The limit is of two threads.
-    while (limits.threads > 1 && squares() < 32 * limits.threads && can_grow(2.0 / limits.threads))
+    int tile = 64;
+    while (2 * tile <= max_tile &&
+           4.0 * tile * tile * operations * evaluations <= limits.operations) {
         tile *= 2;
+    }
+    const auto work = [&](int side, double evaluations_of_a_ray) {
+        return double(std::min(side, width)) * std::min(side, height) * operations *
+               evaluations_of_a_ray;
+    };
+    plan.evaluations_per_pass =
+        int(std::clamp(std::min(limits.operations / work(tile, 1), by_loops), 1.0, 60'000.0));
+    tile = shared_tile(tile, std::min(max_tile, 512), limits,
+                       [&](int side) { return work(side, plan.evaluations_per_pass); });
     plan.tile_width = std::min(tile, width);
     plan.tile_height = std::min(tile, height);
-    plan.evaluations_per_pass = int(std::clamp(std::min(by_work, by_loops), 1.0, 60'000.0));
     return plan;
 }
 

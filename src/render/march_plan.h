@@ -27,9 +27,9 @@ double operations_per_draw_at(double operations_a_second);
 // What a draw may be given.
 struct DrawLimits {
     double operations = operations_per_draw;
-    // Among which a software renderer shares a draw, square by square of 64x64 pixels. A tile has
-    // 32 squares for each, even if it takes more operations then, as long as one evaluation at
-    // every pixel takes no longer than these do by two threads.
+    // A software renderer shares a draw among its threads, square by square of 64x64 pixels. Tiles
+    // that these operations leave small grow up to 512 pixels a side, to 32 squares for each
+    // thread, as long as a draw takes at most 8 times the operations for each thread.
     int threads = 1;
 };
 

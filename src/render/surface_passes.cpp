@@ -25,9 +25,16 @@ const synthesis::Passes& checked(const synthesis::Passes& passes, const gpu::Con
     return passes;
 }
 
-DrawLimits limits_of_a_draw(const gpu::ContextInfo& info, synthesis::Stage stage) {
-    return {.operations = operations_per_draw_at(arithmetic_speed(info).in(stage)),
-            .threads = std::max(1, info.threads)};
+// What is written must not depend on the number of threads. How far proofs get depends on a tile's
+// size, and so do lists that are too long for theirs.
+DrawLimits limits_of_a_draw(const gpu::ContextInfo& info, const scene::Scene& scene,
+                            const synthesis::Passes& passes) {
+    constexpr int most_in_any_list = 500;
+    const bool keeps_tiles =
+        scene.isolation.certify ||
+        (synthesis::has_lists(passes) && passes.arrays[0].capacity > most_in_any_list);
+    return {.operations = operations_per_draw_at(arithmetic_speed(info).in(passes.stage)),
+            .threads = keeps_tiles ? 1 : std::max(1, info.threads)};
 }
 
 // Each surface keeps the states of its rays: smaller tiles keep that in bounds.
@@ -45,7 +52,7 @@ PlannedSurface::PlannedSurface(scene::Scene surface, const RenderOptions& option
                                   .tells_endings = options.tells_endings,
                                   .pixels = std::int64_t(options.width) * options.height}))
     , plan(plan_scene(scene, checked(passes, info), options.width, options.height,
-                      info.max_texture_size, options.plan, limits_of_a_draw(info, passes.stage))) {
+                      info.max_texture_size, options.plan, limits_of_a_draw(info, scene, passes))) {
     // Whether one draw may end a ray, by the usual budget: the passes, and so the fingerprint, are
     // not to depend on how fast this machine is today.
     const ScenePlan usual = plan_scene(scene, passes, options.width, options.height,

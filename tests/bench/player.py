@@ -10,7 +10,7 @@ which their size finds itself, the table tells
     a second     how many there were
     smallest     the smallest scale used, as a part of the window's sides (the least there is: 1/16)
     usual        the median scale
-    pixels a side  the median root of the picture's area
+    pixels       the median root of the picture's area
     draw         the median time of a draw, ms
     longest gap  between two pictures, ms
     to picture   how many pictures came from the moment that a picture was asked for, which an event
@@ -120,7 +120,7 @@ def measure(display, program, name, size, seconds):
         try:
             return {"animation": name} | watch(display, player, log, begin, size, seconds)
         finally:
-            player.terminate()
+            player.kill()
             player.wait()
 
 
@@ -159,12 +159,12 @@ def watch(display, player, log, begin, size, seconds):
 def table(rows, without, arguments):
     text = (f"# The player, while its camera is turned\n\nWindow of {arguments.window}, {arguments.seconds:g} s of "
             f"each animation played; {os.cpu_count()} threads. Made by `tests/bench/player.py`.\n\n"
-            "| animation | a second | smallest | usual | pixels a side | draw, ms | longest gap, ms | to picture | window, s |\n"
-            "|---|--:|--:|--:|--:|--:|--:|--:|--:|\n")
+            "| animation | a second | smallest | usual | pixels | draw, ms | longest gap, ms | to picture | "
+            "window, s |\n|---|--:|--:|--:|--:|--:|--:|--:|--:|\n")
     for r in rows:
         text += (f"| {r['animation']} | {r['pictures_a_second']:.1f} | {r['smallest_scale']:.2f} | "
-                 f"{r['usual_scale']:.2f} | {r['pixels_a_side']:.0f} | {r['draw_ms']:.1f} | {r['longest_gap_ms']:.0f} | {r['to_picture']} | "
-                 f"{r['window_s']:.2f} |\n")
+                 f"{r['usual_scale']:.2f} | {r['pixels_a_side']:.0f} | {r['draw_ms']:.1f} | "
+                 f"{r['longest_gap_ms']:.0f} | {r['to_picture']} | {r['window_s']:.2f} |\n")
     if without:
         text += "\nWithout pictures: " + "; ".join(without) + ".\n"
     return text
@@ -190,19 +190,19 @@ def main():
         for name in names:
             try:
                 rows.append(measure(display, arguments.program, name, size, arguments.seconds))
-            except NoPictures as why:
+            except (NoPictures, BrokenPipeError, subprocess.SubprocessError) as why:
                 print(name, why, flush=True)
                 without.append(f"{name}: {why}")
                 continue
             print(*(f"{value:.2f}" if isinstance(value, float) else value for value in rows[-1].values()), flush=True)
     finally:
         display.end()
+        (arguments.output / "player.md").write_text(table(rows, without, arguments))
         if rows:
             with open(arguments.output / "player.csv", "w", newline="") as file:
                 writer = csv.DictWriter(file, rows[0].keys())
                 writer.writeheader()
                 writer.writerows(rows)
-            (arguments.output / "player.md").write_text(table(rows, without, arguments))
 
 
 if __name__ == "__main__":

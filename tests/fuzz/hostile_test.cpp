@@ -237,7 +237,7 @@ bool is_counted(const std::string& head) {
 }
 
 // Those that end for a reason of their own. `turns` begins at evaluations_per_pass,
-// pieces_per_pass or MOST_SPLITS and loses one a round; shadow.glsl's outer loop takes the next
+// pieces_per_pass and loses one a round; shadow.glsl's outer loop takes the next
 // light each round, or breaks; `searches` ends when its turns do; `k` and `pieces` of blocks gain
 // one a round; a word of a mask has 32 bits, of which each round takes one.
 const std::set<std::string> other_loops{

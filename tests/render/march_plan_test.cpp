@@ -2,6 +2,8 @@
 
 #include <stdexcept>
 
+#include <fmt/format.h>
+#include <glm/glm.hpp>
 #include <gtest/gtest.h>
 
 namespace isomotion::render {
@@ -50,20 +52,25 @@ TEST(MarchPlan, FasterHardwareTakesFewerDraws) {
 
 // A thread of a software renderer draws squares of 64x64 pixels: one square keeps the others idle.
 TEST(MarchPlan, TilesHaveSquaresForAllThreads) {
-    for (const double operations : {10.0, 1e3, 1e4}) {
-        const MarchPlan alone = plan_march({operations, 75}, 2048, 2048, 2048);
-        for (const int threads : {2, 4, 16}) {
-            const MarchPlan plan =
-                plan_march({operations, 75}, 2048, 2048, 2048, {.threads = threads});
-            EXPECT_GE(plan.tile_width / 64 * (plan.tile_height / 64), 32 * threads) << operations;
-            EXPECT_GE(plan.tile_width, alone.tile_width);
-            EXPECT_EQ(plan.evaluations_per_pass, alone.evaluations_per_pass);
+    for (const double operations : {10.0, 1e3, 5e3, 1e5, operations_at_a_point}) {
+        for (const glm::ivec2 size : {glm::ivec2(2048), glm::ivec2(2048, 64)}) {
+            const MarchPlan alone = plan_march({operations, 75}, size.x, size.y, 2048);
+            for (const int threads : {2, 4, 16, 32}) {
+                SCOPED_TRACE(fmt::format("{} operations, {} threads", operations, threads));
+                const MarchPlan plan =
+                    plan_march({operations, 75}, size.x, size.y, 2048, {.threads = threads});
+                EXPECT_EQ(plan.evaluations_per_pass, alone.evaluations_per_pass);
+                const auto work = [&](const MarchPlan& p) {
+                    return double(p.tile_width) * p.tile_height * p.evaluations_per_pass *
+                           operations;
+                };
+                EXPECT_LE(work(plan), std::max(8 * threads * operations_per_draw, work(alone)));
+                if (operations <= 5e3) {
+                    EXPECT_EQ(plan.tile_width, std::max(alone.tile_width, 512));
+                }
+            }
         }
     }
-    // Never so large that a single evaluation takes longer than a draw may.
-    const MarchPlan dear =
-        plan_march({operations_at_a_point, 0}, 2048, 2048, 2048, {.threads = 16});
-    EXPECT_EQ(dear.tile_width, 64);
 }
 
 TEST(MarchPlan, RefusesASumThatNoPassCanHold) {
