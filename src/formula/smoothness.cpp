@@ -4,11 +4,13 @@
 #include <cmath>
 #include <optional>
 #include <random>
+#include <span>
 #include <vector>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "formula/element_kernels.h"
 #include "formula/graph/continuity.h"
 #include "formula/graph/degree.h"
 #include "formula/graph/roughness.h"
@@ -20,6 +22,8 @@ namespace {
 using Box = std::array<Interval, 3>;
 
 constexpr int most_halvings = 21; // 128 cells along each axis
+constexpr int most_elements = 64; // that are looked at, each alone
+constexpr auto each_quadric = std::size_t(ElementKernels::coefficients_each);
 
 bool is_0(const Interval& decoration) { return decoration == Interval{0, 0}; }
 
@@ -87,6 +91,8 @@ public:
             if (aim_line(region.box)) return along_line(32, 4);
         return Met::nothing;
     }
+
+    const std::array<double, 3>& place() const { return place_; } // that was met last
 
 private:
     // Parameters and elements are in the middle of what they may be.
@@ -195,7 +201,7 @@ private:
     // What the slopes do at one of the places that the line may meet, chosen at random.
     Met descend() {
         double a = 0, b = 1;
-        while (b - a > place) {
+        while (b - a > width) {
             const double middle = 0.5 * (a + b);
             const bool to_the_left = random_() >> 63;
             const bool is_there = may_be_in(to_the_left ? a : middle, to_the_left ? middle : b);
@@ -203,6 +209,7 @@ private:
                 return Met::nothing;
             (to_the_left == is_there ? b : a) = middle;
         }
+        for (std::size_t k = 0; k < 3; ++k) place_[k] = from_[k] + a * along_[k];
         const double before = slope(a - beside), after = slope(b + beside);
         const double usual = std::max({usual_slope_, std::abs(before), std::abs(after)});
         const double change = std::abs(after - before);
@@ -214,14 +221,14 @@ private:
     }
 
     // Parts of a line: how closely a place is found, and from how far its slopes are taken.
-    static constexpr double place = 1e-10, beside = 1e-8;
+    static constexpr double width = 1e-10, beside = 1e-8;
 
     Evaluator<Interval> decoration_;
     Evaluator<double> directional_;
     bool bends_are_even_;
     Bindings<Interval> bindings_;
     Bindings<double> numbers_;
-    std::array<double, 3> from_{}, along_{};
+    std::array<double, 3> from_{}, along_{}, place_{};
     double usual_slope_ = 0;
     std::mt19937_64 random_;
 };
@@ -281,8 +288,7 @@ private:
                             [&](const Region& region) { return inspection.holds(region); });
     }
 
-    // Whether a decoration is of the terms of the one array. Cubics step over no such term where F
-    // is flat beside it, since the elements' sizes bound their steps (render/element_radius.h).
+    // Whether a decoration is of the terms of the one array.
     bool is_of_elements(const Program& decoration) const {
         return counts_.size() == 1 &&
                std::ranges::any_of(decoration.instructions, [](const Instruction& now) {
@@ -290,16 +296,88 @@ private:
                });
     }
 
+    // Cubics step over no round element where F is flat beside it, since the elements' radii bound
+    // their steps (render/element_radius.h). Discs may be thinner than these tell.
+    bool elements_are_round() {
+        if (!elements_are_round_) elements_are_round_ = have_round_kernels();
+        return *elements_are_round_;
+    }
+
+    bool have_round_kernels() {
+        kernels_ = element_kernels(field_, 0);
+        if (!kernels_ || kernels_->quadrics == 0 || kernels_->is_least) return false;
+        const int count = counts_.front(), some = std::min(count, most_elements);
+        for (const Region& region : regions_) {
+            for (int k = 0; k < some; ++k) {
+                const auto all = quadrics(region, int(std::int64_t(k) * count / some));
+                for (std::size_t q = 0; q < all.size(); q += each_quadric) {
+                    if (!is_round(std::span(all).subspan(q + 4, 6))) return false;
+                }
+            }
+        }
+        return true;
+    }
+
+    // An element's quadrics, where parameters are in the middle of what they may be.
+    std::vector<double> quadrics(const Region& region, int element) const {
+        Bindings<double> values;
+        for (const Interval& value : region.bindings.parameters)
+            values.parameters.push_back(mid(value));
+        std::vector<double> inputs(std::max<std::size_t>(1, kernels_->fields.size()));
+        const auto& columns = region.bindings.arrays[0].fields;
+        for (std::size_t f = 0; f < kernels_->fields.size(); ++f)
+            inputs[f] = mid(columns[std::size_t(kernels_->fields[f])].at(std::size_t(element)));
+        std::vector<double> found(std::size_t(kernels_->quadrics) * each_quadric);
+        Evaluator<double>(kernels_->coefficients).point(values, inputs, found);
+        return found;
+    }
+
+    // Whether a place on an element is as near to its centre as no radius is told to be: a 64th of
+    // the bounds'.
+    bool is_tiny(const Region& region, int element, const std::array<double, 3>& p) const {
+        double bounds = 0; // squared
+        for (const Interval& side : region.box)
+            bounds += 0.25 * (side.hi - side.lo) * (side.hi - side.lo);
+        const std::vector<double> all = quadrics(region, element);
+        for (std::size_t q = 0; q < all.size(); q += each_quadric) {
+            const double* g = &all[q + 1];
+            const double* h = &all[q + 4];
+            const double x = g[0] + h[0] * p[0] + h[1] * p[1] + h[2] * p[2];
+            const double y = g[1] + h[1] * p[0] + h[3] * p[1] + h[4] * p[2];
+            const double z = g[2] + h[2] * p[0] + h[4] * p[1] + h[5] * p[2];
+            const double size = (h[0] + h[3] + h[5]) / 3;
+            if (x * x + y * y + z * z < 0x1p-12 * bounds * size * size) return true;
+        }
+        return false;
+    }
+
+    // Whether no axis of an ellipsoid is more than some 3.5 times as long as another, by the
+    // Hessian (xx xy xz yy yz zz) of its quadric: what is left is definite without a 16th of its
+    // trace.
+    static bool is_round(std::span<const double> hessian) {
+        const double trace = hessian[0] + hessian[3] + hessian[5];
+        const double sign = trace < 0 ? -1 : 1, part = trace / 16;
+        const double xx = sign * (hessian[0] - part), yy = sign * (hessian[3] - part),
+                     zz = sign * (hessian[5] - part);
+        const double xy = sign * hessian[1], xz = sign * hessian[2], yz = sign * hessian[4];
+        const double minor = xx * yy - xy * xy;
+        const double determinant = zz * minor - xx * yz * yz - yy * xz * xz + 2 * xy * xz * yz;
+        return xx > 0 && minor > 0 && determinant > 0;
+    }
+
     // What an even selection of elements does, each alone.
-    Met at_elements(LineProbe& probe) const {
-        constexpr int most = 64;
+    Met at_elements(LineProbe& probe, bool are_round) const {
         Met all = Met::nothing;
-        const int count = counts_.front(), some = std::min(count, most);
+        const int count = counts_.front(), some = std::min(count, most_elements);
         for (int k = 0; k < some && all != Met::change; ++k) {
             const Region& region = regions_[std::size_t(k) % regions_.size()];
             const auto element = int(std::int64_t(k) * count / some);
-            for (int line = 0; line < 2 && all != Met::change; ++line)
-                all = std::max(all, probe.at_element(region, element));
+            for (int line = 0; line < 2 && all != Met::change; ++line) {
+                const Met met = probe.at_element(region, element);
+                const bool is_lost =
+                    are_round && met == Met::even_slopes && is_tiny(region, element, probe.place());
+                all = std::max(all, is_lost ? Met::change : met);
+            }
         }
         return all;
     }
@@ -311,7 +389,8 @@ private:
         if (!may_look()) return true;
         const Program program = schedule(graph_, std::array{decoration});
         const bool of_elements = is_of_elements(program);
-        LineProbe probe(program, field_.directional, of_elements);
+        const bool of_round_ones = of_elements && elements_are_round();
+        LineProbe probe(program, field_.directional, of_round_ones);
         // A line takes some 500 evaluations of the decoration, and at most 48 slopes.
         const double line = 500 * (cost(program, counts_).operations + 1) +
                             48 * cost(field_.directional, counts_).operations;
@@ -323,7 +402,7 @@ private:
             if (all >= least) return true;
         }
         // A field may make one element unlike the others. Few lines meet each of many.
-        if (of_elements) all = std::max(all, at_elements(probe));
+        if (of_elements) all = std::max(all, at_elements(probe, of_round_ones));
         if (all >= least) return true;
         return all == Met::nothing && may_be_near_0(decoration, value_with_gaps());
     }
@@ -335,6 +414,8 @@ private:
     double made_ = 0; // nodes and instructions of programs
     std::optional<NodeId> value_;
     std::vector<int> counts_;
+    std::optional<bool> elements_are_round_;
+    std::optional<ElementKernels> kernels_;
 };
 
 } // namespace

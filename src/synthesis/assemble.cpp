@@ -46,7 +46,7 @@ bool goes_by_bounds(const scene::Scene& scene) {
 // far as a shader can.
 std::optional<int> array_to_find_by_place(const scene::Scene& scene, std::span<const int> counts,
                                           Platform platform) {
-    constexpr int fewest_on_desktops = 64, fewest_keys = 32, most_in_a_shader = 20'000;
+    constexpr int fewest_on_desktops = 64, most_in_a_shader = 20'000;
     const int fewest = platform == Platform::webgl ? most_in_beams_of_a_page : fewest_on_desktops;
     if (counts.empty()) return std::nullopt;
     const int array = int(std::ranges::max_element(counts) - counts.begin());
@@ -61,11 +61,8 @@ std::optional<int> array_to_find_by_place(const scene::Scene& scene, std::span<c
     if (others > most_of_others && scene.isolation.certify) return std::nullopt;
     if (others > most_by_bounds && goes_by_bounds(scene)) return std::nullopt;
     const int from = looks_at_all ? most_in_a_shader : is_hermite ? fewest : most_by_lists;
-    // Fewer elements may have the least key at a place than matter in a sum.
-    const int from_of_keys = is_hermite && !looks_at_all ? std::min(from, fewest_keys) : from;
-    if (count <= from_of_keys) return std::nullopt;
-    const auto kernels = formula::element_kernels(*scene.surface.field, array);
-    if (!kernels || (count <= from && !kernels->is_least)) return std::nullopt;
+    if (count <= from || !formula::element_kernels(*scene.surface.field, array))
+        return std::nullopt;
     return array;
 }
 

@@ -123,6 +123,11 @@ TEST(Smoothness, SoftObjectsAreSmoothAsElementsOfTheOneArray) {
     EXPECT_EQ(of_elements(mixed, 1, -1), "smooth");
     for (int hard_one = 0; hard_one < 24; ++hard_one)
         EXPECT_EQ(of_elements(mixed, 1, hard_one), "with kinks") << hard_one;
+    // Discs may be thinner than the least radius by which steps are bounded.
+    const std::string disc = "min(1, 9*((x - cx)^2 + (y - cy)^2 + 100*(z - cz)^2))";
+    EXPECT_EQ(of_elements("sum(a, (1 - " + disc + ")^2) - 0.5", 1, -1), "with kinks");
+    const std::string tiny = "min(1, 3000*" + place + ")";
+    EXPECT_EQ(of_elements("sum(a, (1 - " + tiny + ")^2) - 0.5", 1, -1), "with kinks");
     // Nothing bounds steps between balls that are no elements.
     const std::string ball = "min(1, 5*(sin(9*x)^2 + sin(9*y)^2 + sin(9*z)^2))";
     EXPECT_EQ(words_of("(1 - " + ball + ")^2 - 0.5"), "with kinks");

@@ -46,13 +46,13 @@ TEST(Elements, OfOtherSumsAreFoundByPlaceAboveSixtyFour) {
 }
 
 // Of boxes as of balls.
-TEST(Elements, OfTheLeastKeyAreFoundByPlaceAboveThirtyTwo) {
+TEST(Elements, OfTheLeastKeyAreFoundByPlaceAboveSixtyFour) {
     for (const std::string& key :
          {squared + " - 0.01", std::string("max(abs(x-cx), max(abs(y-cy), abs(z-cz))) - 0.1")}) {
         const std::string least = "least(balls, " + key + ")";
-        EXPECT_EQ(finding(32, least), Finding::all) << key;
-        EXPECT_EQ(finding(33, least), Finding::place) << key;
-        EXPECT_EQ(finding(33, least, "beam = false\n"), Finding::all) << key;
+        EXPECT_EQ(finding(64, least), Finding::all) << key;
+        EXPECT_EQ(finding(65, least), Finding::place) << key;
+        EXPECT_EQ(finding(65, least, "beam = false\n"), Finding::all) << key;
     }
 }
 
