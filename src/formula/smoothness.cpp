@@ -85,7 +85,7 @@ public:
         Bindings<Interval> alone = region.bindings;
         alone.arrays[0].count = 1;
         for (auto& field : alone.arrays[0].fields)
-            if (!field.empty()) field = {field[std::size_t(element)]};
+            if (std::size_t(element) < field.size()) field = {field[std::size_t(element)]};
         enter(alone);
         for (int tries = 0; tries < 8; ++tries)
             if (aim_line(region.box)) return along_line(32, 4);
@@ -308,6 +308,9 @@ private:
         if (!kernels_ || kernels_->quadrics == 0 || kernels_->is_least) return false;
         const int count = counts_.front(), some = std::min(count, most_elements);
         for (const Region& region : regions_) {
+            const auto& columns = region.bindings.arrays[0].fields;
+            for (const int field : kernels_->fields)
+                if (columns[std::size_t(field)].size() < std::size_t(count)) return false;
             for (int k = 0; k < some; ++k) {
                 const auto all = quadrics(region, int(std::int64_t(k) * count / some));
                 for (std::size_t q = 0; q < all.size(); q += each_quadric) {
@@ -326,7 +329,7 @@ private:
         std::vector<double> inputs(std::max<std::size_t>(1, kernels_->fields.size()));
         const auto& columns = region.bindings.arrays[0].fields;
         for (std::size_t f = 0; f < kernels_->fields.size(); ++f)
-            inputs[f] = mid(columns[std::size_t(kernels_->fields[f])].at(std::size_t(element)));
+            inputs[f] = mid(columns[std::size_t(kernels_->fields[f])][std::size_t(element)]);
         std::vector<double> found(std::size_t(kernels_->quadrics) * each_quadric);
         Evaluator<double>(kernels_->coefficients).point(values, inputs, found);
         return found;
