@@ -254,7 +254,10 @@ public:
             return std::ranges::any_of(places, matters);
         };
         Smoothness found;
-        found.kinks = any(rough.kinks, [&](NodeId place) { return matters(place, Met::change); });
+        // Shaders that find elements by place know no key beyond some size: F is flat there, even
+        // where equal keys leave it smooth.
+        found.kinks = asks_for_least() ||
+                      any(rough.kinks, [&](NodeId place) { return matters(place, Met::change); });
         found.jumps = any(rough.jumps, [&](NodeId place) { return may_be_there(place); });
         found.poles =
             any(rough.poles, [&](NodeId place) { return matters(place, Met::even_slopes); });
@@ -264,6 +267,14 @@ public:
 private:
     double evaluations(const Program& program) const {
         return operations_ / (cost(program, counts_).operations + 1);
+    }
+
+    bool asks_for_least() const {
+        for (std::size_t id = 0; id < field_.graph.size(); ++id) {
+            const Node& node = field_.graph[NodeId(id)];
+            if (node.op == Op::least && counts_[std::size_t(node.index)] > 1) return true;
+        }
+        return false;
     }
 
     bool may_be_there(NodeId decoration) { return may_be_near_0(decoration, graph_.constant(0)); }

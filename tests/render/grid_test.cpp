@@ -171,6 +171,24 @@ TEST_P(Grid, CubicsHitWhatBoundsHit) {
     }
 }
 
+// Two thin capsules, each of half of the elements. Equal keys leave F smooth, but shaders cut keys
+// off, so that F is flat beside them.
+TEST_P(Grid, CubicsLoseNothingOfEqualKeys) {
+    scene::Scene scene =
+        elements("least(p, sqrt((x - 0.1 - 0.6*floor(cx/10))^2 + (y - floor(0.5 + cy/10))^2 + "
+                 "max(0, abs(z - floor(0.5 + cz/10)) - 0.6)^2) - 0.06)",
+                 100);
+    ASSERT_EQ(scene.isolation.method, scene::Method::hermite);
+    ASSERT_TRUE(synthesis::array_with_grid(synthesis::assemble(scene)));
+    scene::Scene certain = scene;
+    certain.isolation.method = scene::Method::interval;
+    certain.isolation.beam = false;
+    const Difference found = difference(draw(*context, certain), draw(*context, scene));
+    EXPECT_GT(found.hits, 10);
+    EXPECT_LE(found.other_verdict, 1);
+    EXPECT_LT(found.farthest, 1e-2);
+}
+
 TEST_P(Grid, DrawsNoElementOneAndMoreThanAShaderCanSum) {
     const std::string formula = std::string("0.3 - sum(p, max(0, 1 - 4000*") + distance + ")^3)";
     scene::Scene many = elements(formula, 70'000);

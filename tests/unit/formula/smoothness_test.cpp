@@ -87,6 +87,8 @@ TEST(Smoothness, OfSumsIsThatOfAllElements) {
     EXPECT_EQ(with("sum(blobs, abs(y - c + 3)) - 1 + sin(x)", 0.1), "smooth");
     EXPECT_EQ(with("sum(blobs, abs(y - c - 3 + 30*a)) - 1 + sin(x)", 10), "with kinks");
     EXPECT_EQ(with("sum(blobs, max(0, 1 - (x - c)^2/a)^3) - 0.5", 0.1), "smooth");
+    // Of equal keys, too: shaders cut keys off.
+    EXPECT_EQ(with("least(blobs, (x - 0.1)^2 + y^2 + z^2) - 0.5", 0.1), "with kinks");
 }
 
 // A soft object is flat from its radius on. Of an array's elements, no step leaves out any: the
