@@ -79,8 +79,8 @@ public:
         return all;
     }
 
-    // The same with one element of the one array alone, whose decoration few lines may meet: along
-    // a line through a place where it may be.
+    // Does the same for one element of the one array, without the others. Few lines meet a small
+    // element, so this one is drawn through a place where its decoration may be.
     Met at_element(const Region& region, int element) {
         Bindings<Interval> alone = region.bindings;
         alone.arrays[0].count = 1;
@@ -92,7 +92,8 @@ public:
         return Met::nothing;
     }
 
-    const std::array<double, 3>& place() const { return place_; } // that was met last
+    // The place that the last descent met.
+    const std::array<double, 3>& place() const { return place_; }
 
 private:
     // Parameters and elements are in the middle of what they may be.
@@ -116,7 +117,7 @@ private:
         }
     }
 
-    // At most so many descents, of which so many meet a place.
+    // Makes at most `descents` descents, and ends when `places` of them have met a place.
     Met along_line(int descents, int places) {
         if (!may_be_in(0, 1)) return Met::nothing;
         usual_slope_ = 0;
@@ -346,8 +347,8 @@ private:
         return found;
     }
 
-    // Whether a place on an element is as near to its centre as no radius is told to be: a 64th of
-    // the bounds'.
+    // Whether a place on an element is nearer to its centre than a 64th of the bounds' radius,
+    // which is the least radius that bounds steps.
     bool is_tiny(const Region& region, int element, const std::array<double, 3>& p) const {
         double bounds = 0; // squared
         for (const Interval& side : region.box)
@@ -379,7 +380,7 @@ private:
         return xx > 0 && minor > 0 && determinant > 0;
     }
 
-    // What an even selection of elements does, each alone.
+    // Looks at an even selection of elements, one by one.
     Met at_elements(LineProbe& probe, bool are_round) const {
         Met all = Met::nothing;
         const int count = counts_.front(), some = std::min(count, most_elements);
