@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "formula/graph/decoration.h"
-#include "formula/graph/functions.h"
+#include "formula/graph/sign.h"
 #include "formula/graph/vanishing.h"
 
 namespace isomotion::formula {
@@ -21,14 +21,6 @@ NodeId unless_without_kink(Graph& g, NodeId id) {
 
 bool is_whole(double x) { return x == std::floor(x); }
 
-// Whether the base's values are known not to be negative.
-bool has_sign(const Graph& g, NodeId id) {
-    const Node& node = g[id];
-    if (node.op == Op::multiply) return node.children[0] == node.children[1];
-    const UnaryTraits* traits = unary_traits(node.op);
-    return traits && traits->sign == Sign::not_negative;
-}
-
 NodeId unless_gap(Graph& g, NodeId id, const std::vector<bool>& is_resting) {
     const Node node = g[id];
     const NodeId a = node.children[0], b = node.children[1], zero = g.constant(0);
@@ -36,10 +28,10 @@ NodeId unless_gap(Graph& g, NodeId id, const std::vector<bool>& is_resting) {
     case Op::power: {
         if (g.is_constant(b) && is_whole(g[b].value)) return zero;
         const NodeId unless_whole = g.select(g.unary(Op::floor, b), b, entire(g), zero);
-        return has_sign(g, a) ? zero : g.select(a, zero, unless_whole, zero);
+        return is_never_negative(g, a) ? zero : g.select(a, zero, unless_whole, zero);
     }
     case Op::log:
-        return has_sign(g, a) ? zero : g.select(a, zero, entire(g), zero);
+        return is_never_negative(g, a) ? zero : g.select(a, zero, entire(g), zero);
     case Op::divide: { // 0/0
         const NodeId unless_by_0 = g.select(zero, g.unary(Op::abs, b), zero, entire(g));
         // A divisor at rest is looked at once; the numerator would be looked at everywhere.

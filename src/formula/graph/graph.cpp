@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include "formula/graph/operations.h"
+#include "formula/graph/sign.h"
 
 namespace isomotion::formula {
 namespace {
@@ -201,7 +202,7 @@ NodeId Graph::binary(Op op, NodeId a, NodeId b) {
             if (n == std::floor(n) && std::abs(n) <= 256) return integer_power(a, int(n));
             if (n == 0.5) return unary(Op::sqrt, a);
         }
-        break;
+        return make(op, kept_not_negative(a), b);
     case Op::min: // as written, since derivatives decide ties by order
     case Op::max:
         if (a == b) return a;
@@ -232,7 +233,37 @@ NodeId Graph::subtract_simplified(NodeId a, NodeId b) {
     if (const auto factor = common_outside_factor(a, b)) {
         return multiply(*factor, subtract(nodes_[a].children[1], nodes_[b].children[1]));
     }
+    if (const auto excess = excess_over_choice(a, b)) return *excess;
     return make(Op::subtract, a, b);
+}
+
+// c - min(c, q) is max(0, c - q), and so on: written so, rounding cannot change its sign, and
+// intervals know it. Derivatives decide ties as before.
+std::optional<NodeId> Graph::excess_over_choice(NodeId a, NodeId b) {
+    const auto is_choice = [](const Node& node) {
+        return node.op == Op::min || node.op == Op::max;
+    };
+    const Node left = nodes_[a], right = nodes_[b];
+    if (!is_choice(left) && !is_choice(right)) return std::nullopt;
+    std::array<NodeId, 2> parts{constant(0), constant(0)};
+    for (const std::size_t k : {0u, 1u}) {
+        if (is_choice(left) && left.children[k] == b) {
+            parts[1 - k] = subtract(left.children[1 - k], b);
+            return binary(left.op, parts[0], parts[1]);
+        }
+        if (is_choice(right) && right.children[k] == a) {
+            parts[k] = subtract(a, right.children[1 - k]); // min prefers its second, max its first
+            return binary(right.op == Op::min ? Op::max : Op::min, parts[0], parts[1]);
+        }
+    }
+    return std::nullopt;
+}
+
+// A difference that is never negative but for rounding, which would take its powers away.
+NodeId Graph::kept_not_negative(NodeId a) {
+    const Op op = nodes_[a].op;
+    const bool may_round_below_0 = op == Op::subtract || op == Op::add;
+    return may_round_below_0 && is_never_negative(*this, a) ? binary(Op::max, constant(0), a) : a;
 }
 
 NodeId Graph::multiply_simplified(NodeId a, NodeId b) {

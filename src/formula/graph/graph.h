@@ -128,6 +128,9 @@ private:
     bool is_outside(NodeId a, NodeId b) const;
     // f, if a = f*x and b = f*y and f is outside the loops of x and of y.
     std::optional<NodeId> common_outside_factor(NodeId a, NodeId b) const;
+    // a - b, if one of them is the smaller or the larger of the other and something else.
+    std::optional<NodeId> excess_over_choice(NodeId a, NodeId b);
+    NodeId kept_not_negative(NodeId a);
 
     struct Hash {
         std::size_t operator()(const Node& node) const;
