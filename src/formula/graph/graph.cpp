@@ -233,11 +233,10 @@ NodeId Graph::subtract_simplified(NodeId a, NodeId b) {
     if (const auto factor = common_outside_factor(a, b)) {
         return multiply(*factor, subtract(nodes_[a].children[1], nodes_[b].children[1]));
     }
-    if (const auto excess = excess_over_choice(a, b)) return *excess;
     return make(Op::subtract, a, b);
 }
 
-// c - min(c, q) is max(0, c - q), and so on: written so, rounding cannot change its sign, and
+// c - min(c, q) is max(c - q, 0), and so on: written so, rounding cannot change its sign, and
 // intervals know it. Derivatives decide ties as before.
 std::optional<NodeId> Graph::excess_over_choice(NodeId a, NodeId b) {
     const auto is_choice = [](const Node& node) {
@@ -259,10 +258,14 @@ std::optional<NodeId> Graph::excess_over_choice(NodeId a, NodeId b) {
     return std::nullopt;
 }
 
-// A difference that is never negative but for rounding, which would take its powers away.
+// What rounding alone makes negative would have no power.
 NodeId Graph::kept_not_negative(NodeId a) {
-    const Op op = nodes_[a].op;
-    const bool may_round_below_0 = op == Op::subtract || op == Op::add;
+    const Node base = nodes_[a];
+    if (base.op == Op::subtract) {
+        const auto excess = excess_over_choice(base.children[0], base.children[1]);
+        if (excess) return *excess;
+    }
+    const bool may_round_below_0 = base.op == Op::subtract || base.op == Op::add;
     return may_round_below_0 && is_never_negative(*this, a) ? binary(Op::max, constant(0), a) : a;
 }
 
