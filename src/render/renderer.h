@@ -60,6 +60,9 @@ struct RenderOptions {
     std::function<void(const std::string&)> warn = {};
     // The stage that marches rays. It changes at most the last bits of hits.
     StageChoice stage = StageChoice::fragment;
+    // Pixels of the pictures that shaders are chosen for; 0: those of the options' size. It changes
+    // at most the last bits of hits.
+    std::int64_t pixels = 0;
     // Pixels across the smallest beams: 8, or 1 to measure the benefit of closer starts.
     int finest_beam = synthesis::usual_beam;
     // Whether proofs that fail in float32 are tried in doubles, where the driver's can be trusted.

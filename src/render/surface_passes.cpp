@@ -50,7 +50,9 @@ PlannedSurface::PlannedSurface(scene::Scene surface, const RenderOptions& option
                                   .writes_buffers = info.has(4, 3),
                                   .finest_beam = options.finest_beam,
                                   .tells_endings = options.tells_endings,
-                                  .pixels = std::int64_t(options.width) * options.height}))
+                                  .pixels = options.pixels > 0
+                                                ? options.pixels
+                                                : std::int64_t(options.width) * options.height}))
     , plan(plan_scene(scene, checked(passes, info), options.width, options.height,
                       info.max_texture_size, options.plan, limits_of_a_draw(info, scene, passes))) {
     // Whether one draw may end a ray, by the usual budget: the passes, and so the fingerprint, are

@@ -58,7 +58,9 @@ struct Surface {
     int parameters = 0;        // the first tracks of the animation are the formula's parameters
     std::vector<Range> ranges; // ranges of the parameters that a scene can name
     formula::Smoothness smoothness; // within the bounds, over all frames
-    bool jumps_are_walls = false;   // jumps of F across 0 count as surface, too
+    // Of the array with the most, if known: see elements_at_a_place.h.
+    std::optional<double> elements_at_a_place;
+    bool jumps_are_walls = false; // jumps of F across 0 count as surface, too
     Bounds bounds;
     // For bounds that no file gives: whether they enclose the surface.
     std::optional<bool> found_bounds;

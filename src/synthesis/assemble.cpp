@@ -1,16 +1,13 @@
 #include "synthesis/assemble.h"
 
 #include <algorithm>
-#include <numeric>
-#include <optional>
 #include <span>
 
-#include "formula/element_kernels.h"
-#include "formula/linear_sum.h"
 #include "synthesis/beam_copies_text.h"
 #include "synthesis/beam_text.h"
 #include "synthesis/effect.h"
 #include "synthesis/effect_text.h"
+#include "synthesis/finding_elements.h"
 #include "synthesis/glass_text.h"
 #include "synthesis/march_text.h"
 #include "synthesis/paths_text.h"
@@ -20,72 +17,6 @@
 
 namespace isomotion::synthesis {
 namespace {
-
-// With more elements than these, a grid finds those that matter faster than beams do.
-constexpr int most_by_lists = 500;
-// The same in GLSL ES where beams keep neither lists nor bits: with more elements than these, a
-// grid is faster than beams that go through all.
-constexpr int most_in_beams_of_a_page = 24;
-
-// Whether rays ask for bounds of F over pieces of them.
-bool goes_by_bounds(const scene::Scene& scene) {
-    switch (scene.isolation.method) {
-    case scene::Method::interval:
-    case scene::Method::affine:
-    case scene::Method::sphere:
-        return true;
-    case scene::Method::hermite:
-        return !scene.surface.smoothness.is_smooth();
-    default:
-        return false;
-    }
-}
-
-// The array with the most elements, if its sums' terms are kernels of a distance and looking for
-// them pays. A scene that calls beams off looks at all elements, and so do the paper's methods, as
-// far as a shader can.
-std::optional<int> array_to_find_by_place(const scene::Scene& scene, std::span<const int> counts,
-                                          Platform platform) {
-    constexpr int fewest_on_desktops = 64, most_in_a_shader = 20'000;
-    const int fewest = platform == Platform::webgl ? most_in_beams_of_a_page : fewest_on_desktops;
-    if (counts.empty()) return std::nullopt;
-    const int array = int(std::ranges::max_element(counts) - counts.begin());
-    const int count = counts[std::size_t(array)];
-    const bool looks_at_all = scene.isolation.beam == false;
-    const bool is_hermite = scene.isolation.method == scene::Method::hermite;
-    // Bounds over a box take all other arrays in each of its cells, of which a draw has
-    // MOST_ELEMENTS at most (field_text.cpp): proofs come to boxes of two cells, marches by bounds
-    // need some eight.
-    constexpr int most_of_others = 2000, most_by_bounds = 500;
-    const int others = std::accumulate(counts.begin(), counts.end(), 0) - count;
-    if (others > most_of_others && scene.isolation.certify) return std::nullopt;
-    if (others > most_by_bounds && goes_by_bounds(scene)) return std::nullopt;
-    const int from = looks_at_all ? most_in_a_shader : is_hermite ? fewest : most_by_lists;
-    if (count <= from || !formula::element_kernels(*scene.surface.field, array))
-        return std::nullopt;
-    return array;
-}
-
-// `keeps_copies`: where shaders can write no lists, these may be copies.
-FieldStorage storage_of(const scene::Scene& scene, bool writes_buffers, bool keeps_copies,
-                        Platform platform) {
-    const std::vector<int> counts = scene.timeline.animation.counts();
-    // With more elements than most the loops of a beam's shader might end too soon (beam_text.cpp).
-    constexpr int fewest = 9, most = 15'000;
-    const auto by_place = array_to_find_by_place(scene, counts, platform);
-    const bool is_large =
-        by_place && counts[std::size_t(*by_place)] > most_by_lists && scene.isolation.beam != true;
-    Finding finding;
-    // Rays that begin on a surface have no beams there, and find elements faster by place.
-    finding.by_copies = keeps_copies && platform == Platform::webgl && !keeps_surfaces(scene) &&
-                        by_place.value_or(0) == 0 && !counts.empty() && counts[0] <= most_in_copies;
-    const bool keeps_lists = writes_buffers || finding.by_copies;
-    finding.by_lists = !is_large && keeps_lists && uses_beams(scene) && !counts.empty() &&
-                       counts[0] >= fewest && counts[0] <= most &&
-                       formula::linear_sum(*scene.surface.field).has_value();
-    if (!finding.by_lists) finding.by_place = by_place;
-    return field_storage(*scene.surface.field, scene.surface.parameters, counts, finding);
-}
 
 // The rest is the prelude's.
 void become_glsl_es(Pass& pass) {
@@ -121,8 +52,7 @@ Passes assemble(const scene::Scene& scene, const std::vector<Channel>& channels,
     passes.samples = samples_of(scene, passes.march_takes_gradient);
     passes.state_textures = method.state_textures;
     const auto find_elements = [&](bool keeps_copies) {
-        static_cast<FieldStorage&>(passes) =
-            storage_of(scene, drawing.writes_buffers && !on_web, keeps_copies, drawing.platform);
+        static_cast<FieldStorage&>(passes) = storage_of_elements(scene, drawing, keeps_copies);
         // A page's beams that keep no bits find elements by place as its rays do.
         const bool by_beams = uses_beams(scene) && (on_web || !array_with_grid(passes)) &&
                               pays_in(stage, scene, has_lists(passes));

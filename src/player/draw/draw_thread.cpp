@@ -9,13 +9,14 @@
 #include "gpu/error.h"
 #include "render/exposure.h"
 #include "render/renderer.h"
+#include "synthesis/finding_elements.h"
 
 namespace isomotion::player {
 namespace {
 
 using Clock = std::chrono::steady_clock;
 
-// Two methods side by side, and what each is drawn with; more only on the way from one to another.
+// Two methods side by side, each for small pictures and for large ones.
 constexpr std::size_t most_renderers = 4;
 
 RayCounts counts_of(const render::Picture& picture) {
@@ -89,16 +90,22 @@ private:
         std::shared_ptr<const scene::Scene> scene;
         scene::Isolation isolation;
         std::vector<synthesis::Channel> channels;
-        std::unique_ptr<render::Renderer> renderer;
+        std::int64_t small_below = 0; // pixels, from which on pictures are drawn by other shaders
+        bool is_for_small = false;
+        std::unique_ptr<render::Renderer> renderer = {};
         std::string error = {}; // instead of a renderer
 
         bool serves(const Request& request, const scene::Isolation& wanted,
                     const std::vector<synthesis::Channel>& layers) const {
             return scene == request.scene && isolation.method == wanted.method &&
                    isolation.beam == wanted.beam && isolation.certify == wanted.certify &&
-                   channels == layers;
+                   channels == layers && is_for_small == (pixels_of(request) < small_below);
         }
     };
+
+    static std::int64_t pixels_of(const Request& request) {
+        return std::int64_t(request.width) * request.height;
+    }
 
     static Shown blank(const Request& request) {
         Shown shown;
@@ -157,16 +164,22 @@ private:
         while (renderers_.size() >= most_renderers) renderers_.pop_back();
         shown.compiled = true;
         thread_.say_compiling(true);
+        scene::Scene scene = *request.scene;
+        scene.isolation = isolation;
+        Kept made{.scene = request.scene,
+                  .isolation = isolation,
+                  .channels = channels,
+                  .small_below = synthesis::fewest_pixels_for_lists(scene)};
+        made.is_for_small = pixels_of(request) < made.small_below;
         const auto breaks = [&](const std::exception& error) {
-            broken_ = {request.scene, isolation, channels, nullptr, error.what()};
+            made.error = error.what();
+            broken_ = std::move(made);
         };
         try {
-            renderers_.push_front(
-                {request.scene, isolation, channels, compile(request, isolation)});
+            made.renderer = compile(scene, request, made.small_below > 0);
             // Drivers translate at the first draw.
-            render::Renderer& renderer = *renderers_.front().renderer;
-            renderer.resize(16, 16);
-            renderer.draw(*request.samples.front().now);
+            made.renderer->resize(16, 16);
+            made.renderer->draw(*request.samples.front().now);
         } catch (const gpu::CompileError& error) {
             breaks(error);
             throw;
@@ -175,15 +188,15 @@ private:
             throw;
         }
         thread_.say_compiling(false);
+        renderers_.push_front(std::move(made));
         return *renderers_.front().renderer;
     }
 
-    std::unique_ptr<render::Renderer> compile(const Request& request,
-                                              const scene::Isolation& isolation) {
-        scene::Scene scene = *request.scene;
-        scene.isolation = isolation;
+    std::unique_ptr<render::Renderer> compile(const scene::Scene& scene, const Request& request,
+                                              bool by_size) {
         render::RenderOptions options;
         options.width = options.height = tile_side;
+        if (by_size) options.pixels = pixels_of(request);
         options.channels = channels_of(request.view);
         options.tells_endings = true;
         options.stop = [this] { return dropped_ && dropped_(); };

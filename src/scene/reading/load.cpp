@@ -18,6 +18,7 @@
 #include "base/printable.h"
 #include "formula/graph/degree.h"
 #include "scene/data_folder.h"
+#include "scene/elements_at_a_place.h"
 #include "scene/found_bounds.h"
 #include "scene/limits.h"
 #include "scene/reading/camera.h"
@@ -326,6 +327,7 @@ Scene read_document_scene(toml::table& root, const fs::path& file, const base::C
     if (reading != Reading::whole) return scene;
     Isolation& isolation = scene.isolation;
     scene.surface.smoothness = smoothness(*scene.surface.field, regions(scene, first));
+    scene.surface.elements_at_a_place = elements_at_a_place(scene);
     if (!given.step) isolation.step = first.bounds.radius / 100;
     if (!given.near || !given.far || !given.horizon) {
         const double slope = field_slope(*scene.surface.field, first);

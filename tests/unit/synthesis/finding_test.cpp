@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "scenes.h"
+#include "synthesis/finding_elements.h"
 #include "synthesis/pass.h"
 
 namespace isomotion::synthesis {
@@ -16,16 +17,24 @@ void PrintTo(Finding finding, std::ostream* to) {
 
 const std::string squared = "((x-cx)^2 + (y-cy)^2 + (z-cz)^2)";
 
-Finding finding(int count, const std::string& formula, const std::string& isolation = {}) {
+scene::Scene scene_with(int count, const std::string& formula, const std::string& isolation = {},
+                        const std::string& method = "hermite") {
+    return scene_of(surface_text(formula, every_bounds[0], method) + isolation +
+                    fmt::format("[arrays.balls]\ncount = {}\ncx = 'random(i, 0)'\n"
+                                "cy = 'random(i, 1)'\ncz = 'random(i, 2)'\n",
+                                count));
+}
+
+Finding finding(const scene::Scene& scene, const Drawing& drawing = {}) {
     use_shaders_of_source_tree();
-    const std::string text = surface_text(formula, every_bounds[0], "hermite") + isolation +
-                             fmt::format("[arrays.balls]\ncount = {}\ncx = 'random(i, 0)'\n"
-                                         "cy = 'random(i, 1)'\ncz = 'random(i, 2)'\n",
-                                         count);
-    const Passes passes = assemble(scene_of(text));
+    const Passes passes = assemble(scene, {}, drawing);
     return has_lists(passes)         ? Finding::lists
            : array_with_grid(passes) ? Finding::place
                                      : Finding::all;
+}
+
+Finding finding(int count, const std::string& formula, const std::string& isolation = {}) {
+    return finding(scene_with(count, formula, isolation));
 }
 
 TEST(Elements, OfALinearSumAreFoundByListsAndManyByPlace) {
@@ -54,6 +63,57 @@ TEST(Elements, OfTheLeastKeyAreFoundByPlaceAboveSixtyFour) {
         EXPECT_EQ(finding(65, least), Finding::place) << key;
         EXPECT_EQ(finding(65, least, "beam = false\n"), Finding::all) << key;
     }
+}
+
+std::string blobs(int sharpness) {
+    return fmt::format("sum(balls, exp(-{}*{})) - 1", sharpness, squared);
+}
+
+Finding at_size(const scene::Scene& scene, int side) {
+    return finding(scene, {.pixels = std::int64_t(side) * side});
+}
+
+TEST(Elements, OfASparseCrowdAreFoundByPlaceInSmallPicturesAndByListsInLargeOnes) {
+    for (const int count : {65, 100, 500, 501, 2000}) {
+        SCOPED_TRACE(count);
+        for (const int sharpness : {20, 200, 2000, 20'000}) {
+            const scene::Scene scene = scene_with(count, blobs(sharpness));
+            const std::int64_t fewest = fewest_pixels_for_lists(scene);
+            EXPECT_EQ(finding(scene, {.pixels = fewest - 1}), Finding::place) << sharpness;
+            EXPECT_EQ(finding(scene, {.pixels = fewest}), Finding::lists) << sharpness;
+        }
+    }
+}
+
+TEST(Elements, AreFoundByPlaceInLargerPicturesTheSmallerTheyAre) {
+    std::int64_t before = 0;
+    for (const int sharpness : {20, 100, 500, 2500}) {
+        const std::int64_t fewest = fewest_pixels_for_lists(scene_with(400, blobs(sharpness)));
+        EXPECT_GT(fewest, before) << sharpness;
+        before = fewest;
+    }
+    EXPECT_EQ(at_size(scene_with(400, blobs(20)), 256), Finding::lists);
+    EXPECT_EQ(at_size(scene_with(400, blobs(2500)), 256), Finding::place);
+    EXPECT_EQ(at_size(scene_with(1500, blobs(20)), 512), Finding::lists);
+    EXPECT_EQ(at_size(scene_with(2001, blobs(20)), 512), Finding::place);
+}
+
+// Which proofs succeed is not to depend on the picture's size, and the paper's methods look at all.
+TEST(Elements, OfProvedScenesAndOtherMethodsAreFoundByTheirNumberAlone) {
+    for (const int side : {32, 2048}) {
+        const auto found = [&](int count, const std::string& isolation, const std::string& method) {
+            return at_size(scene_with(count, blobs(500), isolation, method), side);
+        };
+        EXPECT_EQ(found(500, "certify = true\n", "hermite"), Finding::lists) << side;
+        EXPECT_EQ(found(501, "certify = true\n", "hermite"), Finding::place) << side;
+        EXPECT_EQ(found(500, "", "interval"), Finding::all) << side;
+        EXPECT_EQ(found(501, "", "interval"), Finding::place) << side;
+    }
+    EXPECT_EQ(fewest_pixels_for_lists(scene_with(300, blobs(500), "certify = true\n")), 0);
+    EXPECT_EQ(fewest_pixels_for_lists(scene_with(300, blobs(500), "", "interval")), 0);
+    EXPECT_EQ(fewest_pixels_for_lists(scene_with(300, blobs(500), "beam = true\n")), 0);
+    EXPECT_EQ(fewest_pixels_for_lists(scene_with(300, blobs(500), "beam = false\n")), 0);
+    EXPECT_EQ(fewest_pixels_for_lists(scene_with(300, "x + sum(balls, sin(cx*y + cy*z + cz))")), 0);
 }
 
 } // namespace

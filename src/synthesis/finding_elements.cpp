@@ -1,0 +1,122 @@
+#include "synthesis/finding_elements.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "formula/element_kernels.h"
+#include "formula/linear_sum.h"
+#include "scene/surfaces.h"
+#include "synthesis/assemble.h"
+#include "synthesis/effect.h"
+
+namespace isomotion::synthesis {
+namespace {
+
+// Where nothing is known of how crowded elements are: with more than these a grid finds those that
+// matter faster than beams do.
+constexpr int most_by_lists = 500;
+// The same in GLSL ES where beams keep neither lists nor bits: with more elements than these, a
+// grid is faster than beams that go through all.
+constexpr int most_in_beams_of_a_page = 24;
+
+// Whether rays ask for bounds of F over pieces of them.
+bool goes_by_bounds(const scene::Scene& scene) {
+    switch (scene.isolation.method) {
+    case scene::Method::interval:
+    case scene::Method::affine:
+    case scene::Method::sphere:
+        return true;
+    case scene::Method::hermite:
+        return !scene.surface.smoothness.is_smooth();
+    default:
+        return false;
+    }
+}
+
+// The array with the most elements, if its sums' terms are kernels of a distance and looking for
+// them pays. A scene that calls beams off looks at all elements, and so do the paper's methods, as
+// far as a shader can.
+std::optional<int> array_to_find_by_place(const scene::Scene& scene, std::span<const int> counts,
+                                          Platform platform) {
+    constexpr int fewest_on_desktops = 64, most_in_a_shader = 20'000;
+    const int fewest = platform == Platform::webgl ? most_in_beams_of_a_page : fewest_on_desktops;
+    if (counts.empty()) return std::nullopt;
+    const int array = int(std::ranges::max_element(counts) - counts.begin());
+    const int count = counts[std::size_t(array)];
+    const bool looks_at_all = scene.isolation.beam == false;
+    const bool is_hermite = scene.isolation.method == scene::Method::hermite;
+    // Bounds over a box take all other arrays in each of its cells, of which a draw has
+    // MOST_ELEMENTS at most (field_text.cpp): proofs come to boxes of two cells, marches by bounds
+    // need some eight.
+    constexpr int most_of_others = 2000, most_by_bounds = 500;
+    const int others = std::accumulate(counts.begin(), counts.end(), 0) - count;
+    if (others > most_of_others && scene.isolation.certify) return std::nullopt;
+    if (others > most_by_bounds && goes_by_bounds(scene)) return std::nullopt;
+    const int from = looks_at_all ? most_in_a_shader : is_hermite ? fewest : most_by_lists;
+    if (count <= from || !formula::element_kernels(*scene.surface.field, array))
+        return std::nullopt;
+    return array;
+}
+
+// Square roots of pixels from which on lists are faster; 0 if nothing is known of the crowd.
+//
+// A beam holds the elements along it, a cell those at a place, of which there are the fewer the
+// smaller they are; but rays of a beam share its list, and looking up a cell takes as long as some
+// elements. Bounds are taken over boxes of several cells. The factors are those of families of soft
+// balls, 75 to 800 of four sizes, in pictures of 64 to 512 pixels a side: docs/performance.md.
+double side_for_lists(const scene::Scene& scene, int count) {
+    if (!scene.surface.elements_at_a_place || scene.isolation.certify ||
+        scene.isolation.method != scene::Method::hermite)
+        return 0;
+    const double at_a_place = *scene.surface.elements_at_a_place;
+    return goes_by_bounds(scene) ? 9 * count / (at_a_place + 3) : 41 * count / (at_a_place + 10);
+}
+
+bool is_faster_by_place(const scene::Scene& scene, int count, const Drawing& drawing) {
+    if (scene.isolation.beam == true) return false;
+    // In the compute stage, which is for hardware, nothing else was measured.
+    const bool is_known = drawing.pixels > 0 && drawing.stage == Stage::fragment;
+    const double side = is_known ? side_for_lists(scene, count) : 0;
+    return side > 0 ? double(drawing.pixels) < side * side : count > most_by_lists;
+}
+
+} // namespace
+
+FieldStorage storage_of_elements(const scene::Scene& scene, const Drawing& drawing,
+                                 bool keeps_copies) {
+    const bool on_web = drawing.platform == Platform::webgl;
+    const std::vector<int> counts = scene.timeline.animation.counts();
+    // With more elements than most the loops of a beam's shader might end too soon (beam_text.cpp).
+    constexpr int fewest = 9, most = 15'000;
+    const auto by_place = array_to_find_by_place(scene, counts, drawing.platform);
+    Finding finding;
+    // Rays that begin on a surface have no beams there, and find elements faster by place.
+    finding.by_copies = keeps_copies && on_web && !keeps_surfaces(scene) &&
+                        by_place.value_or(0) == 0 && !counts.empty() && counts[0] <= most_in_copies;
+    const bool keeps_lists = (drawing.writes_buffers && !on_web) || finding.by_copies;
+    finding.by_lists =
+        keeps_lists && uses_beams(scene) && !counts.empty() && counts[0] >= fewest &&
+        counts[0] <= most && formula::linear_sum(*scene.surface.field).has_value() &&
+        !(by_place && is_faster_by_place(scene, counts[std::size_t(*by_place)], drawing));
+    if (!finding.by_lists) finding.by_place = by_place;
+    return field_storage(*scene.surface.field, scene.surface.parameters, counts, finding);
+}
+
+std::int64_t fewest_pixels_for_lists(const scene::Scene& scene) {
+    double fewest = 0;
+    for (int k = 0; k <= int(scene.others.size()); ++k) {
+        const scene::Scene surface = scene::of_surface(scene, k);
+        const std::vector<int> counts = surface.timeline.animation.counts();
+        const auto by_place = array_to_find_by_place(surface, counts, Platform::opengl);
+        if (!by_place || surface.isolation.beam == true) continue;
+        const double side = side_for_lists(surface, counts[std::size_t(*by_place)]);
+        fewest = std::max(fewest, side * side);
+    }
+    return std::int64_t(std::ceil(fewest));
+}
+
+} // namespace isomotion::synthesis
