@@ -163,10 +163,8 @@ int write_gallery(const PageArguments& arguments) {
     std::vector<std::string> left_out, shown; // with and without the scene's path
     const auto leave_out = [&](const std::string& name, const std::string& why) {
         left_out.push_back(fmt::format("{}: {}", name, why));
-        const std::string file = name + ".toml: ";
-        const std::size_t path = why.find(file);
         shown.push_back(
-            fmt::format("{}: {}", name, path == why.npos ? why : why.substr(path + file.size())));
+            fmt::format("{}: {}", name, page::without_place_in_file(why, name + ".toml")));
     };
     for (const std::string& name : names) {
         progress.show(int(entries.size() + left_out.size()), name);

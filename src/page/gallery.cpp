@@ -1,11 +1,22 @@
 #include "page/gallery.h"
 
+#include <algorithm>
+
 #include <fmt/format.h>
 
 #include "page/embedded_files.h"
 #include "page/html.h"
 
 namespace isomotion::page {
+
+std::string without_place_in_file(const std::string& message, const std::string& file) {
+    const std::size_t path = message.find(file + ':');
+    if (path == message.npos) return message;
+    std::size_t rest = path + file.size() + 1;
+    const std::size_t line = message.find_first_not_of("0123456789", rest);
+    if (line != message.npos && line > rest && message[line] == ':') rest = line + 1;
+    return message.substr(std::min(message.find_first_not_of(' ', rest), message.size()));
+}
 
 std::string gallery_index(const std::vector<GalleryEntry>& entries,
                           const std::vector<std::string>& left_out) {

@@ -17,4 +17,8 @@ struct GalleryEntry {
 std::string gallery_index(const std::vector<GalleryEntry>& entries,
                           const std::vector<std::string>& left_out);
 
+// A message "path/file:line: rest" without its beginning, which tells where files lie here; the
+// line may be missing.
+std::string without_place_in_file(const std::string& message, const std::string& file);
+
 } // namespace isomotion::page
