@@ -175,7 +175,7 @@ def main():
     parser.add_argument("-o", "--output", type=pathlib.Path, required=True)
     parser.add_argument("--seconds", type=float, default=4)
     parser.add_argument("--window", default="1000x700")
-    parser.add_argument("--program", type=pathlib.Path, default=ROOT / "build/release/isomotion")
+    parser.add_argument("--program", type=lambda name: pathlib.Path(name).resolve(), default=ROOT / "build/release/isomotion")
     parser.add_argument("names", nargs="*")
     arguments = parser.parse_args()
     for needed in ("Xvfb", "xdotool"):
