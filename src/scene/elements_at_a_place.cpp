@@ -12,6 +12,7 @@ namespace {
 // With fewer elements all are gone through, with more they are always found by place.
 constexpr int fewest = 65, most = 2000;
 constexpr int frames_looked_at = 5;
+constexpr double dear_frames = 1e6; // operations, of which one is looked at
 
 double mean_of_cells(const elements::ElementGrid& grid) {
     double listed = 0, cells = 0;
@@ -31,7 +32,9 @@ std::optional<double> elements_at_a_place(const Scene& scene) {
     if (*longest < fewest || *longest > most) return std::nullopt;
     const auto maker = elements::GridMaker::of(*scene.surface.field, int(longest - counts.begin()));
     if (!maker) return std::nullopt;
-    const int frames = std::min(scene.timeline.frames, frames_looked_at);
+    double work = 0; // of the arrays' fields at a frame
+    for (std::size_t a = 0; a < counts.size(); ++a) work += scene.timeline.animation.operations(a);
+    const int frames = work > dear_frames ? 1 : std::min(scene.timeline.frames, frames_looked_at);
     double sum = 0;
     int looked_at = 0;
     for (int k = 0; k < frames; ++k) {

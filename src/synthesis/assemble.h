@@ -2,8 +2,9 @@
 //
 // The text depends on the formula's structure, the bounds' shape, the method, the effects named,
 // the number of lights and the channels requested. It also depends on what reading the scene found
-// about the formula: whether it is smooth, and the power of two that it is multiplied with. It
-// depends on no other value: a frame changes uniforms only.
+// about the formula: whether it is smooth, the power of two that it is multiplied with, and how
+// crowded its elements are, which counts for more in small pictures. It depends on no other value:
+// a frame changes uniforms only.
 #pragma once
 
 #include <cstdint>

@@ -62,25 +62,39 @@ std::optional<int> array_to_find_by_place(const scene::Scene& scene, std::span<c
     return array;
 }
 
-// Square roots of pixels from which on lists are faster; 0 if nothing is known of the crowd.
+// Whether beams may keep lists of array 0.
+bool may_keep_lists(const scene::Scene& scene, std::span<const int> counts) {
+    // With more elements than most the loops of a beam's shader might end too soon (beam_text.cpp).
+    constexpr int fewest = 9, most = 15'000;
+    return uses_beams(scene) && !counts.empty() && counts[0] >= fewest && counts[0] <= most &&
+           formula::linear_sum(*scene.surface.field).has_value();
+}
+
+// Pixels along a side from which on lists are faster; 0 if nothing is known of the crowd.
 //
 // A beam holds the elements along it, a cell those at a place, of which there are the fewer the
 // smaller they are; but rays of a beam share its list, and looking up a cell takes as long as some
-// elements. Bounds are taken over boxes of several cells. The factors are those of families of soft
-// balls, 75 to 800 of four sizes, in pictures of 64 to 512 pixels a side: docs/performance.md.
+// ten elements. Where elements are crowded, they merge, and beams end early. Bounds are taken over
+// boxes of several cells. The factors are from families of soft balls, 75 to 2000 of several sizes,
+// in pictures of 64 to 512 pixels a side (tests/bench/lists_or_grid.py).
 double side_for_lists(const scene::Scene& scene, int count) {
     if (!scene.surface.elements_at_a_place || scene.isolation.certify ||
         scene.isolation.method != scene::Method::hermite)
         return 0;
     const double at_a_place = *scene.surface.elements_at_a_place;
-    return goes_by_bounds(scene) ? 9 * count / (at_a_place + 3) : 41 * count / (at_a_place + 10);
+    const double merging = std::min(1.0, 30 / at_a_place);
+    return merging * count *
+           (goes_by_bounds(scene) ? 6 / (at_a_place + 3) : 41 / (at_a_place + 10));
+}
+
+// In the compute stage, which is for hardware, nothing was measured but numbers of elements.
+double side_for_lists(const scene::Scene& scene, int count, const Drawing& drawing) {
+    return drawing.stage == Stage::fragment ? side_for_lists(scene, count) : 0;
 }
 
 bool is_faster_by_place(const scene::Scene& scene, int count, const Drawing& drawing) {
     if (scene.isolation.beam == true) return false;
-    // In the compute stage, which is for hardware, nothing else was measured.
-    const bool is_known = drawing.pixels > 0 && drawing.stage == Stage::fragment;
-    const double side = is_known ? side_for_lists(scene, count) : 0;
+    const double side = drawing.pixels > 0 ? side_for_lists(scene, count, drawing) : 0;
     return side > 0 ? double(drawing.pixels) < side * side : count > most_by_lists;
 }
 
@@ -90,8 +104,6 @@ FieldStorage storage_of_elements(const scene::Scene& scene, const Drawing& drawi
                                  bool keeps_copies) {
     const bool on_web = drawing.platform == Platform::webgl;
     const std::vector<int> counts = scene.timeline.animation.counts();
-    // With more elements than most the loops of a beam's shader might end too soon (beam_text.cpp).
-    constexpr int fewest = 9, most = 15'000;
     const auto by_place = array_to_find_by_place(scene, counts, drawing.platform);
     Finding finding;
     // Rays that begin on a surface have no beams there, and find elements faster by place.
@@ -99,24 +111,25 @@ FieldStorage storage_of_elements(const scene::Scene& scene, const Drawing& drawi
                         by_place.value_or(0) == 0 && !counts.empty() && counts[0] <= most_in_copies;
     const bool keeps_lists = (drawing.writes_buffers && !on_web) || finding.by_copies;
     finding.by_lists =
-        keeps_lists && uses_beams(scene) && !counts.empty() && counts[0] >= fewest &&
-        counts[0] <= most && formula::linear_sum(*scene.surface.field).has_value() &&
+        keeps_lists && may_keep_lists(scene, counts) &&
         !(by_place && is_faster_by_place(scene, counts[std::size_t(*by_place)], drawing));
     if (!finding.by_lists) finding.by_place = by_place;
     return field_storage(*scene.surface.field, scene.surface.parameters, counts, finding);
 }
 
-std::int64_t fewest_pixels_for_lists(const scene::Scene& scene) {
-    double fewest = 0;
+std::vector<std::int64_t> sizes_of_change(const scene::Scene& scene, const Drawing& drawing) {
+    std::vector<std::int64_t> sizes;
+    if (!drawing.writes_buffers || drawing.platform == Platform::webgl) return sizes;
     for (int k = 0; k <= int(scene.others.size()); ++k) {
         const scene::Scene surface = scene::of_surface(scene, k);
         const std::vector<int> counts = surface.timeline.animation.counts();
-        const auto by_place = array_to_find_by_place(surface, counts, Platform::opengl);
-        if (!by_place || surface.isolation.beam == true) continue;
-        const double side = side_for_lists(surface, counts[std::size_t(*by_place)]);
-        fewest = std::max(fewest, side * side);
+        const auto by_place = array_to_find_by_place(surface, counts, drawing.platform);
+        if (!by_place || surface.isolation.beam == true || !may_keep_lists(surface, counts))
+            continue;
+        const double side = side_for_lists(surface, counts[std::size_t(*by_place)], drawing);
+        if (side > 0) sizes.push_back(std::int64_t(std::ceil(side * side)));
     }
-    return std::int64_t(std::ceil(fewest));
+    return sizes;
 }
 
 } // namespace isomotion::synthesis

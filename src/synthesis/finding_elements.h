@@ -3,20 +3,21 @@
 #pragma once
 
 #include <cstdint>
+#include <vector>
 
 #include "scene/scene.h"
+#include "synthesis/assemble.h"
 #include "synthesis/field_text.h"
 
 namespace isomotion::synthesis {
-
-struct Drawing;
 
 // `keeps_copies`: where shaders can write no lists, these may be copies.
 FieldStorage storage_of_elements(const scene::Scene& scene, const Drawing& drawing,
                                  bool keeps_copies);
 
-// Pictures of fewer pixels are drawn faster by other shaders, since beams are wider in them and
-// lists longer. The most of the scene's surfaces; 0 if the number of pixels decides nothing.
-std::int64_t fewest_pixels_for_lists(const scene::Scene& scene);
+// Numbers of pixels from which on pictures have other shaders than below, since beams are wider in
+// small pictures and lists longer: one for each surface of the scene whose elements are found by
+// place in smaller pictures.
+std::vector<std::int64_t> sizes_of_change(const scene::Scene& scene, const Drawing& drawing = {});
 
 } // namespace isomotion::synthesis

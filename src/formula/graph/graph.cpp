@@ -128,10 +128,29 @@ std::size_t Graph::Hash::operator()(const Node& node) const {
     return std::size_t(h);
 }
 
+bool Graph::makes_gaps(const Node& node) const {
+    switch (node.op) {
+    case Op::constant:
+        return std::isnan(node.value);
+    case Op::log:
+    case Op::power:
+        return !is_never_negative(*this, node.children[0]);
+    case Op::divide: { // 0/0
+        const NodeId by = node.children[1];
+        return !is_constant(by) || is_constant(by, 0);
+    }
+    default:
+        return false;
+    }
+}
+
 NodeId Graph::intern(Node node) {
     for (int k = 0; k < node.arity; ++k)
         node.arrays |= nodes_[node.children[std::size_t(k)]].arrays;
     if (is_over_elements(node.op)) node.arrays &= ~(1u << node.index);
+    node.may_have_gaps = makes_gaps(node);
+    for (int k = 0; k < node.arity; ++k)
+        node.may_have_gaps |= nodes_[node.children[std::size_t(k)]].may_have_gaps;
     if (node.op == Op::element) node.arrays = 1u << node.index;
     const auto [it, inserted] = ids_.try_emplace(node, NodeId(nodes_.size()));
     if (!inserted) return it->second;
@@ -173,6 +192,7 @@ NodeId Graph::unary(Op op, NodeId a) {
             return multiply(unary(Op::negate, child.children[0]), child.children[1]);
         }
     }
+    if (op == Op::log) a = kept_not_negative(a);
     if (op == Op::abs && (child.op == Op::abs || child.op == Op::negate)) {
         return unary(Op::abs, child.children[0]);
     }
@@ -236,12 +256,14 @@ NodeId Graph::subtract_simplified(NodeId a, NodeId b) {
     return make(Op::subtract, a, b);
 }
 
-// c - min(c, q) is max(c - q, 0), and so on: written so, rounding cannot change its sign, and
-// intervals know it. Derivatives decide ties as before.
+// c - min(c, q) is max(c - q, 0), and so on; |b| - b is 2 max(0, -b). Written so, rounding cannot
+// change its sign, and intervals know it. Derivatives of choices decide ties as before.
 std::optional<NodeId> Graph::excess_over_choice(NodeId a, NodeId b) {
     const auto is_choice = [](const Node& node) {
         return node.op == Op::min || node.op == Op::max;
     };
+    if (nodes_[a].op == Op::abs && nodes_[a].children[0] == b)
+        return multiply(constant(2), binary(Op::max, constant(0), unary(Op::negate, b)));
     const Node left = nodes_[a], right = nodes_[b];
     if (!is_choice(left) && !is_choice(right)) return std::nullopt;
     std::array<NodeId, 2> parts{constant(0), constant(0)};
@@ -258,15 +280,36 @@ std::optional<NodeId> Graph::excess_over_choice(NodeId a, NodeId b) {
     return std::nullopt;
 }
 
-// What rounding alone makes negative would have no power.
-NodeId Graph::kept_not_negative(NodeId a) {
+// What rounding alone makes negative would have no power. A choice may drop what has no value, so
+// only expressions that have one everywhere are rewritten.
+NodeId Graph::kept_not_negative(NodeId a, int depth) {
     const Node base = nodes_[a];
-    if (base.op == Op::subtract) {
-        const auto excess = excess_over_choice(base.children[0], base.children[1]);
-        if (excess) return *excess;
+    if (depth == 0 || base.may_have_gaps) return a;
+    const auto child = [&](std::size_t k) {
+        return kept_not_negative(base.children[k], depth - 1);
+    };
+    switch (base.op) {
+    case Op::multiply:
+        if (base.children[0] == base.children[1]) return a;
+        return multiply(child(0), child(1));
+    case Op::divide:
+        return divide(child(0), base.children[1]);
+    case Op::subtract:
+        if (const auto excess = excess_over_choice(base.children[0], base.children[1]))
+            return *excess;
+        return may_round_below_0(*this, a) ? binary(Op::max, constant(0), a) : a;
+    case Op::add:
+        for (const std::size_t k : {0u, 1u}) { // |x| + x
+            const Node& size = nodes_[base.children[k]];
+            const NodeId x = base.children[1 - k];
+            if (size.op == Op::abs && size.children[0] == x)
+                return multiply(constant(2), binary(Op::max, constant(0), x));
+        }
+        if (may_round_below_0(*this, a)) return binary(Op::max, constant(0), a);
+        return is_never_negative(*this, a) ? add(child(0), child(1)) : a;
+    default:
+        return a;
     }
-    const bool may_round_below_0 = base.op == Op::subtract || base.op == Op::add;
-    return may_round_below_0 && is_never_negative(*this, a) ? binary(Op::max, constant(0), a) : a;
 }
 
 NodeId Graph::multiply_simplified(NodeId a, NodeId b) {

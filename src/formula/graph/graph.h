@@ -65,6 +65,8 @@ struct Node {
     // Bit k set: the value changes with the current element of array k, so the node lives inside
     // a loop over that array.
     std::uint32_t arrays = 0;
+    // Somewhere it may have no value, as far as its form shows: the log of what may be negative.
+    bool may_have_gaps = false;
 
     // Numbers are compared by their bits, so that NaN equals itself and the graph holds each node
     // once.
@@ -113,6 +115,8 @@ public:
 
 private:
     NodeId intern(Node node);
+    // Whether it may have no value where its operands have.
+    bool makes_gaps(const Node& node) const;
     NodeId over_elements(Op op, int array, NodeId a);
     NodeId make(Op op, NodeId a);
     NodeId make(Op op, NodeId a, NodeId b);
@@ -130,7 +134,7 @@ private:
     std::optional<NodeId> common_outside_factor(NodeId a, NodeId b) const;
     // a - b, if one of them is the smaller or the larger of the other and something else.
     std::optional<NodeId> excess_over_choice(NodeId a, NodeId b);
-    NodeId kept_not_negative(NodeId a);
+    NodeId kept_not_negative(NodeId a, int depth = 4);
 
     struct Hash {
         std::size_t operator()(const Node& node) const;

@@ -1,5 +1,6 @@
 #include "formula/graph/sign.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "formula/graph/functions.h"
@@ -7,39 +8,66 @@
 namespace isomotion::formula {
 namespace {
 
-// Whether the form shows that values are from -1 to 1.
-bool is_within_one(const Graph& g, NodeId id, int depth) {
-    if (depth == 0) return false;
+// A number that the form shows no |value| to exceed; infinite if it shows none.
+double most_magnitude(const Graph& g, NodeId id, int depth) {
+    if (depth == 0) return HUGE_VAL;
     const Node& node = g[id];
-    const auto child = [&](std::size_t k) { return is_within_one(g, node.children[k], depth - 1); };
+    const auto child = [&](std::size_t k) {
+        return most_magnitude(g, node.children[k], depth - 1);
+    };
     switch (node.op) {
     case Op::constant:
-        return std::abs(node.value) <= 1;
+        return std::isnan(node.value) ? HUGE_VAL : std::abs(node.value);
     case Op::sin:
     case Op::cos:
     case Op::tanh:
     case Op::sign:
-        return true;
+        return 1;
     case Op::negate:
     case Op::abs:
         return child(0);
-    case Op::multiply:
+    case Op::multiply: {
+        const double a = child(0), b = child(1), product = a * b;
+        // A rounded product might be too small.
+        return std::isfinite(product) && std::fma(a, b, -product) == 0 ? product : HUGE_VAL;
+    }
     case Op::min:
     case Op::max:
-        return child(0) && child(1);
+        return std::max(child(0), child(1));
     default:
-        return false;
+        return HUGE_VAL;
     }
 }
 
-// c + a or c - a, where a constant c is at least what |a| may be.
-bool outweighs_a_wave(const Graph& g, const Node& node, int depth) {
-    const auto is_beside = [&](std::size_t c, std::size_t a) {
-        const Node& number = g[node.children[c]];
-        return number.op == Op::constant && number.value >= 1 &&
-               is_within_one(g, node.children[a], depth);
+// max(b, q) - b, b - min(b, q), |b| - b.
+bool is_excess(const Graph& g, const Node& difference) {
+    const NodeId a = difference.children[0], b = difference.children[1];
+    const auto is_of = [&](NodeId choice, Op op, NodeId part) {
+        const Node& node = g[choice];
+        return node.op == op && (node.children[0] == part || node.children[1] == part);
     };
-    return is_beside(0, 1) || (node.op == Op::add && is_beside(1, 0));
+    return is_of(a, Op::max, b) || is_of(b, Op::min, a) ||
+           (g[a].op == Op::abs && g[a].children[0] == b);
+}
+
+// |x| + x
+bool adds_its_size(const Graph& g, const Node& sum) {
+    const auto is_size = [&](std::size_t k) {
+        const Node& node = g[sum.children[k]];
+        return node.op == Op::abs && node.children[0] == sum.children[1 - k];
+    };
+    return is_size(0) || is_size(1);
+}
+
+// c + a or c - a, where c is a constant: c less the most that |a| may be.
+double least_beside_a_wave(const Graph& g, const Node& node, int depth) {
+    const auto beside = [&](std::size_t c, std::size_t a) {
+        const Node& number = g[node.children[c]];
+        return number.op == Op::constant ? number.value - most_magnitude(g, node.children[a], depth)
+                                         : -HUGE_VAL;
+    };
+    if (node.op == Op::add) return std::max(beside(0, 1), beside(1, 0));
+    return node.op == Op::subtract ? beside(0, 1) : -HUGE_VAL;
 }
 
 } // namespace
@@ -56,9 +84,10 @@ bool is_never_negative(const Graph& g, NodeId id, int depth) {
     case Op::multiply:
         return node.children[0] == node.children[1] || (child(0) && child(1));
     case Op::add:
-        return (child(0) && child(1)) || outweighs_a_wave(g, node, depth);
+        return (child(0) && child(1)) || adds_its_size(g, node) ||
+               least_beside_a_wave(g, node, depth) >= 0;
     case Op::subtract:
-        return outweighs_a_wave(g, node, depth);
+        return is_excess(g, node) || least_beside_a_wave(g, node, depth) >= 0;
     case Op::divide:
     case Op::min:
         return child(0) && child(1);
@@ -84,5 +113,7 @@ bool is_never_negative(const Graph& g, NodeId id, int depth) {
     }
     }
 }
+
+bool may_round_below_0(const Graph& g, NodeId id) { return least_beside_a_wave(g, g[id], 12) == 0; }
 
 } // namespace isomotion::formula

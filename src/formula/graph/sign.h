@@ -9,4 +9,7 @@ namespace isomotion::formula {
 // wherever it has one.
 bool is_never_negative(const Graph& graph, NodeId id, int depth = 12);
 
+// Whether it shows a constant beside a wave as high: 0 or more but for rounding.
+bool may_round_below_0(const Graph& graph, NodeId id);
+
 } // namespace isomotion::formula

@@ -86,12 +86,16 @@ public:
     }
 
 private:
+    static std::int64_t pixels_of(const Request& request) {
+        return std::int64_t(request.width) * request.height;
+    }
+
     struct Kept {
         std::shared_ptr<const scene::Scene> scene;
         scene::Isolation isolation;
         std::vector<synthesis::Channel> channels;
-        std::int64_t small_below = 0; // pixels, from which on pictures are drawn by other shaders
-        bool is_for_small = false;
+        std::vector<std::int64_t> sizes_of_change = {}; // of pictures' shaders
+        std::ptrdiff_t size_class = 0;                  // how many of them pictures reach
         std::unique_ptr<render::Renderer> renderer = {};
         std::string error = {}; // instead of a renderer
 
@@ -99,13 +103,13 @@ private:
                     const std::vector<synthesis::Channel>& layers) const {
             return scene == request.scene && isolation.method == wanted.method &&
                    isolation.beam == wanted.beam && isolation.certify == wanted.certify &&
-                   channels == layers && is_for_small == (pixels_of(request) < small_below);
+                   channels == layers && size_class == size_class_of(request);
+        }
+        std::ptrdiff_t size_class_of(const Request& request) const {
+            return std::ranges::count_if(
+                sizes_of_change, [&](std::int64_t size) { return pixels_of(request) >= size; });
         }
     };
-
-    static std::int64_t pixels_of(const Request& request) {
-        return std::int64_t(request.width) * request.height;
-    }
 
     static Shown blank(const Request& request) {
         Shown shown;
@@ -169,14 +173,16 @@ private:
         Kept made{.scene = request.scene,
                   .isolation = isolation,
                   .channels = channels,
-                  .small_below = synthesis::fewest_pixels_for_lists(scene)};
-        made.is_for_small = pixels_of(request) < made.small_below;
+                  .sizes_of_change = synthesis::sizes_of_change(
+                      scene, {.writes_buffers = context_.info().has(4, 3)})};
+        made.size_class = made.size_class_of(request);
         const auto breaks = [&](const std::exception& error) {
             made.error = error.what();
+            made.renderer.reset();
             broken_ = std::move(made);
         };
         try {
-            made.renderer = compile(scene, request, made.small_below > 0);
+            made.renderer = compile(scene, request, !made.sizes_of_change.empty());
             // Drivers translate at the first draw.
             made.renderer->resize(16, 16);
             made.renderer->draw(*request.samples.front().now);

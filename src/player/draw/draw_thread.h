@@ -30,8 +30,8 @@ struct Sample {
     scene::Aim aim;
 };
 
-// The picture to be drawn. Renderers are kept by `scene` (its address), method and channels, so
-// nothing is compiled for another time, camera, size or value.
+// The picture to be drawn. Renderers are kept by `scene` (its address), method, channels and, where
+// shaders depend on it, a class of sizes, so nothing is compiled for another time, camera or value.
 struct Request {
     std::uint64_t number = 0;
     std::shared_ptr<const scene::Scene> scene;

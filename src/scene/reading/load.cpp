@@ -327,7 +327,8 @@ Scene read_document_scene(toml::table& root, const fs::path& file, const base::C
     if (reading != Reading::whole) return scene;
     Isolation& isolation = scene.isolation;
     scene.surface.smoothness = smoothness(*scene.surface.field, regions(scene, first));
-    scene.surface.elements_at_a_place = elements_at_a_place(scene);
+    if (isolation.method == Method::hermite && !isolation.certify)
+        scene.surface.elements_at_a_place = elements_at_a_place(scene);
     if (!given.step) isolation.step = first.bounds.radius / 100;
     if (!given.near || !given.far || !given.horizon) {
         const double slope = field_slope(*scene.surface.field, first);

@@ -78,7 +78,14 @@ INSTANTIATE_TEST_SUITE_P(
         Pair{"(1-cos(x))^1.5", "max(0,1-cos(x))^1.5"},
         Pair{"(sin(x)*tanh(y)+1)^y^0", "sin(x)*tanh(y)+1"},
         Pair{"(sin(x)*tanh(y)+1)^0.3", "max(0,sin(x)*tanh(y)+1)^0.3"},
-        Pair{"(2-min(sin(x),0.5))^a", "max(0,2-min(sin(x),0.5))^a"}));
+        Pair{"(2*(1-min(1,x)))^1.5", "(2*max(1-x,0))^1.5"},
+        Pair{"((1-min(1,x))*(1-cos(y))/3)^a", "(max(1-x,0)*max(0,1-cos(y))/3)^a"},
+        Pair{"((1-min(1,x^2))+abs(y))^a", "(max(1-x^2,0)+abs(y))^a"},
+        Pair{"(abs(x)-x)^a", "(2*max(0,-x))^a"}, Pair{"(abs(x)+x)^a", "(2*max(0,x))^a"},
+        Pair{"(x+abs(x))^a", "(2*max(0,x))^a"}, Pair{"log(abs(x)-x)", "log(2*max(0,-x))"},
+        Pair{"(2-2*cos(x))^a", "max(0,2-2*cos(x))^a"},
+        Pair{"(0.5+0.5*sin(x)*cos(y))^a", "max(0,0.5+0.5*sin(x)*cos(y))^a"},
+        Pair{"log(1-cos(x))", "log(max(0,1-cos(x)))"}));
 
 class Different : public testing::TestWithParam<Pair> {};
 
@@ -96,6 +103,17 @@ INSTANTIATE_TEST_SUITE_P(
                     Pair{"chebyshev(3,x)", "chebyshev(4,x)"}, Pair{"sum(blobs,x)", "x"},
                     // 0/0 and infinity - infinity are NaN and stay that.
                     Pair{"x/x", "1"}));
+
+// A choice would drop what has no value; and what rounding can't make negative stays as it is.
+TEST(Graph, BasesOfPowersStayAsTheyAre) {
+    for (const std::string base :
+         {"1-cos(log(x))", "log(x)-min(y,log(x))", "1-min(1,x/y)", "1-cos(x^a)", "1-min(1,x^1.5)",
+          "2-cos(x)", "x^2+y^2", "x^2+y^2+1", "x-y", "0.5-cos(x)", "(1-cos(x))^2"}) {
+        Graph graph;
+        const Node power = graph[parse(graph, "(" + base + ")^b")];
+        EXPECT_EQ(power.children[0], parse(graph, base)) << base;
+    }
+}
 
 TEST(Graph, PowersOfOneFormulaShareTheirProducts) {
     EXPECT_EQ(operations("x^2"), 1);

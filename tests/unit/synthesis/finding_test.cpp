@@ -73,6 +73,14 @@ Finding at_size(const scene::Scene& scene, int side) {
     return finding(scene, {.pixels = std::int64_t(side) * side});
 }
 
+// The only number of pixels at which the shaders of a scene with one surface change; 0 if there is
+// none.
+std::int64_t fewest_pixels_for_lists(const scene::Scene& scene) {
+    const std::vector<std::int64_t> sizes = sizes_of_change(scene);
+    EXPECT_LE(sizes.size(), 1u);
+    return sizes.empty() ? 0 : sizes[0];
+}
+
 TEST(Elements, OfASparseCrowdAreFoundByPlaceInSmallPicturesAndByListsInLargeOnes) {
     for (const int count : {65, 100, 500, 501, 2000}) {
         SCOPED_TRACE(count);
@@ -113,6 +121,10 @@ TEST(Elements, OfProvedScenesAndOtherMethodsAreFoundByTheirNumberAlone) {
     EXPECT_EQ(fewest_pixels_for_lists(scene_with(300, blobs(500), "", "interval")), 0);
     EXPECT_EQ(fewest_pixels_for_lists(scene_with(300, blobs(500), "beam = true\n")), 0);
     EXPECT_EQ(fewest_pixels_for_lists(scene_with(300, blobs(500), "beam = false\n")), 0);
+    EXPECT_EQ(fewest_pixels_for_lists(scene_with(300, "least(balls, " + squared + ") - 0.01")), 0);
+    EXPECT_EQ(fewest_pixels_for_lists(scene_with(300, "min(" + blobs(500) + ", z + 1)")), 0);
+    EXPECT_TRUE(sizes_of_change(scene_with(300, blobs(500)), {.writes_buffers = false}).empty());
+    EXPECT_TRUE(sizes_of_change(scene_with(300, blobs(500)), on_page).empty());
     EXPECT_EQ(fewest_pixels_for_lists(scene_with(300, "x + sum(balls, sin(cx*y + cy*z + cz))")), 0);
 }
 
