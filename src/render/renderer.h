@@ -121,7 +121,7 @@ public:
     void reuse(Picture picture);
 
     // Sets the size of the next pictures. Nothing is compiled or allocated, so it costs nothing:
-    // shaders stay those of the options' size.
+    // shaders stay those of the options' pixels.
     // Pictures larger than the options' size are cut into more tiles. For that the options' sides
     // must be multiples of 64, otherwise this throws std::invalid_argument.
     void resize(int width, int height);

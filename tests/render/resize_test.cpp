@@ -8,7 +8,9 @@ class Resize : public Drawing {};
 ISOMOTION_ON_EVERY_BACKEND(Resize);
 
 Picture drawn_small_tiled(gpu::Context& context, const scene::Scene& scene, int frame) {
-    Renderer renderer(context, scene, {128, 128, every_channel, {}});
+    RenderOptions options{128, 128, every_channel, {}};
+    options.pixels = std::int64_t(scene.output.width) * scene.output.height;
+    Renderer renderer(context, scene, options);
     const scene::SceneAt now = scene::at(scene, scene.timeline.values(frame));
     renderer.resize(40, 30);
     renderer.draw(now);
