@@ -71,6 +71,10 @@ INSTANTIATE_TEST_SUITE_P(
         along_the_axis("hole beside a plateau", "0.5 - (1 - min(x^2 + y^2 + z^2, 1))^2.5", 0, 0),
         along_the_axis("ball dented by what one exceeds another",
                        "(max(x, y) - y)^1.5 + x^2 + y^2 + z^2 - 1", 0, 0),
+        along_the_axis("cap of a size less its number", "(abs(x) - x)^1.5 + y^2 + z^2 - 0.5", 0, 0),
+        along_the_axis("product of differences",
+                       "((1 - min(1, x^2 + y^2 + z^2))*(2 - 2*min(1, x^2)))^1.5 - 0.3", 0, 0),
+        along_the_axis("logarithm beside a plateau", "log(1 - min(1, x^2 + y^2)) + z", 0, 0),
         along_the_axis("lattice of powers of waves",
                        "(1 - cos(4*x))^1.5 + (1 + sin(4*y))^1.5 + (1 - cos(4*z))^0.7 - 1", 0, 250)),
     test_name);
