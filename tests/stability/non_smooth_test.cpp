@@ -74,7 +74,7 @@ INSTANTIATE_TEST_SUITE_P(
         along_the_axis("cap of a size less its number", "(abs(x) - x)^1.5 + y^2 + z^2 - 0.5", 0, 0),
         along_the_axis("product of differences",
                        "((1 - min(1, x^2 + y^2 + z^2))*(2 - 2*min(1, x^2)))^1.5 - 0.3", 0, 0),
-        along_the_axis("logarithm beside a plateau", "log(1 - min(1, x^2 + y^2)) + z", 0, 0),
+        along_the_axis("logarithm beside a plateau", "log(1 - min(1, x^2 + y^2)) + z", 0, 80000),
         along_the_axis("lattice of powers of waves",
                        "(1 - cos(4*x))^1.5 + (1 + sin(4*y))^1.5 + (1 - cos(4*z))^0.7 - 1", 0, 250)),
     test_name);

@@ -280,6 +280,21 @@ std::optional<NodeId> Graph::excess_over_choice(NodeId a, NodeId b) {
     return std::nullopt;
 }
 
+// k c - k min(c, q), where k is a constant above 0 and k c may be one, too.
+std::optional<NodeId> Graph::scaled_excess(NodeId a, NodeId b) {
+    const Node whole = nodes_[a], part = nodes_[b];
+    if (part.op != Op::multiply) return std::nullopt;
+    const NodeId factor = part.children[0];
+    const double k = is_constant(factor) ? nodes_[factor].value : 0;
+    if (!(k > 0)) return std::nullopt;
+    std::optional<NodeId> c;
+    if (whole.op == Op::multiply && whole.children[0] == factor) c = whole.children[1];
+    if (whole.op == Op::constant && is_exact(Op::divide, whole.value, k, whole.value / k))
+        c = constant(whole.value / k);
+    const auto excess = c ? excess_over_choice(*c, part.children[1]) : std::nullopt;
+    return excess ? std::optional(multiply(factor, *excess)) : std::nullopt;
+}
+
 // What rounding alone makes negative would have no power. A choice may drop what has no value, so
 // only expressions that have one everywhere are rewritten.
 NodeId Graph::kept_not_negative(NodeId a, int depth) {
@@ -297,6 +312,7 @@ NodeId Graph::kept_not_negative(NodeId a, int depth) {
     case Op::subtract:
         if (const auto excess = excess_over_choice(base.children[0], base.children[1]))
             return *excess;
+        if (const auto excess = scaled_excess(base.children[0], base.children[1])) return *excess;
         return may_round_below_0(*this, a) ? binary(Op::max, constant(0), a) : a;
     case Op::add:
         for (const std::size_t k : {0u, 1u}) { // |x| + x

@@ -134,6 +134,7 @@ private:
     std::optional<NodeId> common_outside_factor(NodeId a, NodeId b) const;
     // a - b, if one of them is the smaller or the larger of the other and something else.
     std::optional<NodeId> excess_over_choice(NodeId a, NodeId b);
+    std::optional<NodeId> scaled_excess(NodeId a, NodeId b);
     NodeId kept_not_negative(NodeId a, int depth = 4);
 
     struct Hash {

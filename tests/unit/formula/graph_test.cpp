@@ -79,6 +79,8 @@ INSTANTIATE_TEST_SUITE_P(
         Pair{"(sin(x)*tanh(y)+1)^y^0", "sin(x)*tanh(y)+1"},
         Pair{"(sin(x)*tanh(y)+1)^0.3", "max(0,sin(x)*tanh(y)+1)^0.3"},
         Pair{"(2*(1-min(1,x)))^1.5", "(2*max(1-x,0))^1.5"},
+        Pair{"(3-2*min(1.5,x))^a", "(2*max(1.5-x,0))^a"},
+        Pair{"(2*y-2*min(y,x))^a", "(2*max(y-x,0))^a"},
         Pair{"((1-min(1,x))*(1-cos(y))/3)^a", "(max(1-x,0)*max(0,1-cos(y))/3)^a"},
         Pair{"((1-min(1,x^2))+abs(y))^a", "(max(1-x^2,0)+abs(y))^a"},
         Pair{"(abs(x)-x)^a", "(2*max(0,-x))^a"}, Pair{"(abs(x)+x)^a", "(2*max(0,x))^a"},
