@@ -76,10 +76,11 @@ bool may_keep_lists(const scene::Scene& scene, std::span<const int> counts) {
 // smaller they are; but rays of a beam share its list, and looking up a cell takes as long as some
 // ten elements. Where elements are crowded, they merge, and beams end early. Bounds are taken over
 // boxes of several cells. The factors are from families of soft balls, 75 to 2000 of several sizes,
-// in pictures of 64 to 512 pixels a side (tests/bench/lists_or_grid.py).
-double side_for_lists(const scene::Scene& scene, int count) {
+// in pictures of 64 to 512 pixels a side (tests/bench/lists_or_grid.py), in fragment shaders; the
+// compute stage is for hardware, where none was measured.
+double side_for_lists(const scene::Scene& scene, int count, Stage stage) {
     if (!scene.surface.elements_at_a_place || scene.isolation.certify ||
-        scene.isolation.method != scene::Method::hermite)
+        scene.isolation.method != scene::Method::hermite || stage != Stage::fragment)
         return 0;
     const double at_a_place = *scene.surface.elements_at_a_place;
     const double merging = std::min(1.0, 30 / at_a_place);
@@ -87,14 +88,9 @@ double side_for_lists(const scene::Scene& scene, int count) {
            (goes_by_bounds(scene) ? 6 / (at_a_place + 3) : 41 / (at_a_place + 10));
 }
 
-// In the compute stage, which is for hardware, nothing was measured but numbers of elements.
-double side_for_lists(const scene::Scene& scene, int count, const Drawing& drawing) {
-    return drawing.stage == Stage::fragment ? side_for_lists(scene, count) : 0;
-}
-
 bool is_faster_by_place(const scene::Scene& scene, int count, const Drawing& drawing) {
     if (scene.isolation.beam == true) return false;
-    const double side = drawing.pixels > 0 ? side_for_lists(scene, count, drawing) : 0;
+    const double side = drawing.pixels > 0 ? side_for_lists(scene, count, drawing.stage) : 0;
     return side > 0 ? double(drawing.pixels) < side * side : count > most_by_lists;
 }
 
@@ -126,7 +122,7 @@ std::vector<std::int64_t> sizes_of_change(const scene::Scene& scene, const Drawi
         const auto by_place = array_to_find_by_place(surface, counts, drawing.platform);
         if (!by_place || surface.isolation.beam == true || !may_keep_lists(surface, counts))
             continue;
-        const double side = side_for_lists(surface, counts[std::size_t(*by_place)], drawing);
+        const double side = side_for_lists(surface, counts[std::size_t(*by_place)], drawing.stage);
         if (side > 0) sizes.push_back(std::int64_t(std::ceil(side * side)));
     }
     return sizes;
