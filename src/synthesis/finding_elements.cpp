@@ -11,6 +11,7 @@
 #include "formula/linear_sum.h"
 #include "scene/surfaces.h"
 #include "synthesis/assemble.h"
+#include "synthesis/beam_text.h"
 #include "synthesis/effect.h"
 
 namespace isomotion::synthesis {
