@@ -79,7 +79,8 @@ BeamPass::BeamPass(const synthesis::Passes& passes, const scene::Scene& scene,
         const int block = level.block, side = block << level.square_bits;
         const int length = int(part * longest_list(level, plan, elements));
         levels_.push_back(
-            {gpu::Target(texels_apart(plan.tile_width, side), texels_apart(plan.tile_height, side),
+            {gpu::Target(texels_apart(plan.target_width(), side),
+                         texels_apart(plan.target_height(), side),
                          level.by_models                ? 2
                          : synthesis::has_lists(passes) ? 3
                                                         : 1),
@@ -99,32 +100,37 @@ void BeamPass::bind(const PassTable& table, const Level& level, const std::strin
     }
 }
 
-Blocks BeamPass::blocks(const gpu::Rectangle& tile, bool at_once) {
+Blocks BeamPass::blocks(const gpu::Rectangle& pixels, bool at_once) {
     const Level& level = levels_.back();
     if (level.block != Blocks::side)
         throw std::logic_error(fmt::format("the last beams have {} pixels across", level.block));
-    Blocks found(tile.width, tile.height);
+    Blocks found(pixels.width, pixels.height);
     const int side = 1 << level.square_bits;
+    const int left = pixels.x / Blocks::side, low = pixels.y / Blocks::side;
+    const int right = left + found.across, top = low + found.up;
     const auto read = [&](int x, int y, int width, int height) {
         parts_.resize(4 * std::size_t(width) * std::size_t(height));
         level.results.read(0, x, y, width, height, parts_);
     };
-    const int row = at_once ? texels_apart(found.across, side) : side;
-    if (at_once) read(0, 0, row, texels_apart(found.up, side));
-    for (int up = 0; up < found.up; up += side) {
-        for (int right = 0; right < found.across; right += side) {
-            const int x = right / side * synthesis::beam_square;
-            const int y = up / side * synthesis::beam_square;
-            if (!at_once) read(x, y, side, side);
-            const std::size_t first = at_once ? std::size_t(y) * std::size_t(row) + x : 0;
-            const int width = std::min(side, found.across - right);
-            const int height = std::min(side, found.up - up);
-            for (int k = 0; k < width * height; ++k) {
-                const float* part = &parts_[4 * (first + std::size_t(k / width * row + k % width))];
-                found.at(right + k % width, up + k / width) =
-                    part[0] < part[1]
-                        ? level.by_models && part[2] > 0 ? BlockKind::settled : BlockKind::open
-                        : BlockKind::empty;
+    const int row = at_once ? texels_apart(right, side) : side;
+    if (at_once) read(0, 0, row, texels_apart(top, side));
+    const auto kind = [&](std::size_t texel) {
+        const float* part = &parts_[4 * texel];
+        if (!(part[0] < part[1])) return BlockKind::empty;
+        return level.by_models && part[2] > 0 ? BlockKind::settled : BlockKind::open;
+    };
+    for (int y = low / side * side; y < top; y += side) {
+        for (int x = left / side * side; x < right; x += side) {
+            const int texel_x = x / side * synthesis::beam_square;
+            const int texel_y = y / side * synthesis::beam_square;
+            if (!at_once) read(texel_x, texel_y, side, side);
+            const std::size_t first =
+                at_once ? std::size_t(texel_y) * std::size_t(row) + texel_x : 0;
+            for (int up = std::max(y, low); up < std::min(y + side, top); ++up) {
+                for (int across = std::max(x, left); across < std::min(x + side, right); ++across) {
+                    found.at(across - left, up - low) =
+                        kind(first + std::size_t((up - y) * row + across - x));
+                }
             }
         }
     }

@@ -44,9 +44,10 @@ public:
     // Binds the results for passes that read them as `kind`_texture: "beam" or "light_beam".
     void bind(const PassTable& table, const std::string& kind = "beam") const;
 
-    // What the last level found of a tile's blocks of 8 pixels, from pixel (0, 0) on. Waits for the
-    // draws before: once for all, or for each square, of which a software renderer reads less.
-    Blocks blocks(const gpu::Rectangle& tile, bool at_once);
+    // What the last level found of these pixels' blocks, whole ones of 8 pixels from the lower left
+    // corner on. Waits for the draws before: once for all, or for each square, of which a software
+    // renderer reads less.
+    Blocks blocks(const gpu::Rectangle& pixels, bool at_once);
 
     // The squares of every level divide this number of pixels.
     static constexpr int square = 256;

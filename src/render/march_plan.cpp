@@ -23,18 +23,31 @@ double operations_per_draw_at(double operations_a_second) {
 
 namespace {
 
+// Of a square of pixels that a software renderer gives to one of its threads.
+constexpr int side_of_a_thread = 64;
+
 // The tile grown until it has enough squares for all threads.
 template<class Work>
 int shared_tile(int tile, int most, const DrawLimits& limits, const Work& work) {
-    constexpr int square = 64;
     const double shared = 8.0 * limits.threads * limits.operations;
     while (limits.threads > 1 && 2 * tile <= most && work(2 * tile) <= shared &&
-           tile / square * (tile / square) < 32 * limits.threads)
+           tile / side_of_a_thread * (tile / side_of_a_thread) < 32 * limits.threads)
         tile *= 2;
     return tile;
 }
 
+// Small pictures lie in two squares along each side.
+int length_of_target(bool spreads, int tile) {
+    return spreads ? std::max(tile, 2 * side_of_a_thread) : tile;
+}
+
 } // namespace
+
+int MarchPlan::target_width() const { return length_of_target(spreads_small_pictures, tile_width); }
+
+int MarchPlan::target_height() const {
+    return length_of_target(spreads_small_pictures, tile_height);
+}
 
 MarchPlan plan_march(const formula::Cost& evaluation, int width, int height, int max_tile,
                      const DrawLimits& limits) {
@@ -67,6 +80,16 @@ MarchPlan plan_march(const formula::Cost& evaluation, int width, int height, int
     plan.tile_width = std::min(tile, width);
     plan.tile_height = std::min(tile, height);
     return plan;
+}
+
+glm::ivec2 corner_of_picture(int width, int height) {
+    const auto corner = [](int length) {
+        constexpr int block = 8;
+        return length > side_of_a_thread
+                   ? 0
+                   : side_of_a_thread - block * ((length + 2 * block - 1) / (2 * block));
+    };
+    return {corner(width), corner(height)};
 }
 
 } // namespace isomotion::render

@@ -7,6 +7,8 @@
 // continues exactly where it stopped.
 #pragma once
 
+#include <glm/vec2.hpp>
+
 #include "formula/graph/program.h"
 #include "synthesis/loop_limit.h"
 
@@ -15,6 +17,12 @@ namespace isomotion::render {
 struct MarchPlan {
     int tile_width = 0, tile_height = 0;
     int evaluations_per_pass = 0;
+    // Whether small pictures begin at corner_of_picture().
+    bool spreads_small_pictures = false;
+
+    // Of targets that hold a tile.
+    int target_width() const;
+    int target_height() const;
 };
 
 using synthesis::loop_iterations_per_pass;
@@ -41,6 +49,11 @@ inline constexpr double operations_at_a_point = 2e7;
 // alone exceeds the loop limit or the operations allowed at a point.
 MarchPlan plan_march(const formula::Cost& evaluation, int width, int height, int max_tile,
                      const DrawLimits& limits = {});
+
+// Where a picture begins in its targets, in pixels, so that several threads of a software renderer
+// draw it: if it has at most 64x64 pixels, about the corner of four squares of these. Multiples of
+// 8, so that blocks of rays stay the same; 0 along sides that are longer.
+glm::ivec2 corner_of_picture(int width, int height);
 
 // Throws std::length_error if this exceeds the operations allowed at a point.
 void expect_drawable(double operations);

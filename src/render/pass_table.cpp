@@ -129,9 +129,16 @@ PassTable::Instead::~Instead() {
     if (before_) table_.bind(block_, *before_);
 }
 
+// Draws `width` x `height` pixels from the tile's lower left one on.
+void PassTable::place(const gpu::Program& program, const gpu::Rectangle& tile, int width,
+                      int height) const {
+    gpu::set_viewport({corner_.x, corner_.y, width, height});
+    // Shaders take the target's lower left pixel for the tile's.
+    program.set("tile_origin", glm::ivec2(tile.x, tile.y) - corner_);
+}
+
 void PassTable::draw(const gpu::Program& program, const gpu::Rectangle& tile) const {
-    gpu::set_viewport({0, 0, tile.width, tile.height});
-    program.set("tile_origin", glm::ivec2(tile.x, tile.y));
+    place(program, tile, tile.width, tile.height);
     triangle_.draw();
 }
 
@@ -143,8 +150,7 @@ void PassTable::draw(const gpu::Program& program, const gpu::Rectangle& tile,
 
 void PassTable::draw(const gpu::Program& program, const gpu::Rectangle& tile,
                      const gpu::Rectangles& parts) const {
-    gpu::set_viewport({0, 0, tile.width, tile.height});
-    program.set("tile_origin", glm::ivec2(tile.x, tile.y));
+    place(program, tile, tile.width, tile.height);
     program.set("pixel_of_viewport", 2.0f / glm::vec2(tile.width, tile.height));
     bind("rectangles", parts.words());
     parts.draw();
@@ -154,8 +160,7 @@ void PassTable::draw(const gpu::Program& program, const gpu::Rectangle& tile,
                      const gpu::Squares& squares) const {
     // A point is drawn only if its middle lies in the viewport.
     const int width = (tile.width + 7) / 8 * 8, height = (tile.height + 7) / 8 * 8;
-    gpu::set_viewport({0, 0, width, height});
-    program.set("tile_origin", glm::ivec2(tile.x, tile.y));
+    place(program, tile, width, height);
     program.set("pixel_of_viewport", 2.0f / glm::vec2(width, height));
     bind("squares", squares.words());
     squares.draw();

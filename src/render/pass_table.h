@@ -11,6 +11,8 @@
 #include <string>
 #include <vector>
 
+#include <glm/vec2.hpp>
+
 #include "gpu/buffer.h"
 #include "gpu/draw.h"
 #include "gpu/program.h"
@@ -61,8 +63,12 @@ public:
         const gpu::UniformBuffer* before_;
     };
 
-    // Runs a fragment pass over the lower left width x height of the bound target, or of `target`.
-    // `tile` is the place of that area in the picture.
+    // Where tiles begin in their targets, from now on: the passes below are drawn from there.
+    void begin_tiles_at(glm::ivec2 corner) { corner_ = corner; }
+    glm::ivec2 corner() const { return corner_; }
+
+    // Runs a fragment pass over a tile in the bound target, or in `target`. `tile` is the place of
+    // that area in the picture.
     void draw(const gpu::Program& program, const gpu::Rectangle& tile) const;
     void draw(const gpu::Program& program, const gpu::Rectangle& tile,
               const gpu::Target& target) const;
@@ -85,6 +91,8 @@ public:
     void time_rays_by(RayClock& clock) { clock_ = &clock; }
 
 private:
+    void place(const gpu::Program& program, const gpu::Rectangle& tile, int width,
+               int height) const;
     void march_untimed(const gpu::Program& program, const gpu::Rectangle& tile,
                        const gpu::Target& target, const gpu::Rectangles* parts) const;
 
@@ -99,6 +107,7 @@ private:
     std::map<std::string, const gpu::UniformBuffer*, std::less<>> bound_;
     synthesis::Uniforms uniforms_; // as set last
     gpu::Fullscreen triangle_;
+    glm::ivec2 corner_{0};
     RayClock* clock_ = nullptr;
 };
 

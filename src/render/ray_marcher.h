@@ -14,8 +14,8 @@ namespace isomotion::render {
 // Two targets that hold the states of a tile's rays, before and after a pass.
 struct RayTargets {
     RayTargets(const synthesis::Passes& passes, const MarchPlan& tile)
-        : even(tile.tile_width, tile.tile_height, passes.state_textures)
-        , odd(tile.tile_width, tile.tile_height, passes.state_textures) {}
+        : even(tile.target_width(), tile.target_height(), passes.state_textures)
+        , odd(tile.target_width(), tile.target_height(), passes.state_textures) {}
     gpu::Target even, odd;
 };
 

@@ -43,19 +43,21 @@ std::vector<Attachment> attachments_of(const Layers& layers, image::Frame& frame
 ReadBack::ReadBack(int threads)
     : threads_(threads > 0 ? threads : std::max(1, int(std::thread::hardware_concurrency()))) {}
 
-void ReadBack::in_strips(const gpu::Target& from, std::span<const Attachment> attachments,
-                         const gpu::Rectangle& tile, const Planes& planes) {
+void ReadBack::in_strips(const gpu::Target& from, glm::ivec2 corner,
+                         std::span<const Attachment> attachments, const gpu::Rectangle& tile,
+                         const Planes& planes) {
     for (const Strip& strip : strips_of(attachments, tile)) {
         strip_.resize(4 * std::size_t(tile.width) * std::size_t(strip.rows));
-        from.read(strip.attachment->number, 0, strip.y, tile.width, strip.rows, strip_);
+        from.read(strip.attachment->number, corner.x, corner.y + strip.y, tile.width, strip.rows,
+                  strip_);
         planes.copy(strip_.data(), tile, strip.y, strip.rows, strip.attachment->channels);
     }
 }
 
-void ReadBack::at_once(const gpu::Target& from, std::span<const Attachment> attachments,
-                       const gpu::Rectangle& tile, const Planes& planes,
-                       gpu::Transfer& pixels) const {
-    const gpu::Rectangle drawn{0, 0, tile.width, tile.height};
+void ReadBack::at_once(const gpu::Target& from, glm::ivec2 corner,
+                       std::span<const Attachment> attachments, const gpu::Rectangle& tile,
+                       const Planes& planes, gpu::Transfer& pixels) const {
+    const gpu::Rectangle drawn{corner.x, corner.y, tile.width, tile.height};
     std::size_t end = 0;
     for (const Attachment& attachment : attachments)
         end = pixels.ask(from, attachment.number, drawn, end);

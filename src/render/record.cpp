@@ -9,11 +9,11 @@ std::int64_t Tally::rays() const {
     return std::accumulate(verdicts.begin(), verdicts.end(), std::int64_t(0));
 }
 
-void Record::read(const gpu::Target& from, int attachment, int width, int height) {
-    width_ = width;
-    height_ = height;
-    const auto words = std::size_t(width) * std::size_t(height) * words_;
-    from.read(attachment, 0, 0, width, height, std::span(packed_).first(words));
+void Record::read(const gpu::Target& from, int attachment, const gpu::Rectangle& area) {
+    width_ = area.width;
+    height_ = area.height;
+    const auto words = std::size_t(area.width) * std::size_t(area.height) * words_;
+    from.read(attachment, area.x, area.y, area.width, area.height, std::span(packed_).first(words));
 }
 
 void Record::take(std::span<const std::uint32_t> words, int width, int height) {

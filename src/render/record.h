@@ -33,7 +33,8 @@ public:
         , packed_(std::size_t(most_pixels) * words_) {}
 
     gpu::Format format() const { return words_ == 2 ? gpu::Format::rg32ui : gpu::Format::r32ui; }
-    void read(const gpu::Target& from, int attachment, int width, int height);
+    // Reads that area of an attachment.
+    void read(const gpu::Target& from, int attachment, const gpu::Rectangle& area);
     // The same from words in memory.
     void take(std::span<const std::uint32_t> words, int width, int height);
 

@@ -55,13 +55,13 @@ struct Renderer::Parts {
         , options(std::move(wanted))
         , surfaces(surfaces_of(drawn))
         , passes_print(fingerprint_of_passes(drawn))
-        , record(plan.march.tile_width * plan.march.tile_height,
+        , record(plan.march.target_width() * plan.march.target_height(),
                  passes.has(Role::surface) && !passes.has(Role::fused))
         , planes(options.width, options.height)
         // A software renderer draws the next picture with all processors meanwhile.
         , back(context.info().software ? 1 : options.threads)
         , layers(options.channels, passes.attachments)
-        , result(plan.march.tile_width, plan.march.tile_height,
+        , result(plan.march.target_width(), plan.march.target_height(),
                  formats(passes, record, draws_over_each_other())) {
         if (draws_over_each_other()) {
             fused_surfaces.emplace(all_surfaces(), result, formats(passes, record, true));
@@ -188,11 +188,27 @@ struct Renderer::Parts {
 
     void upload(const PictureInputs& inputs) {
         done = 0;
+        table.begin_tiles_at(corner());
         own.upload(inputs, options.width, options.height);
         if (environment) table.bind("environment_map", *environment);
         if (environment_levels) table.bind("environment_levels", *environment_levels);
         for (std::size_t k = 1; k < surfaces.size(); ++k)
             surfaces[k]->upload(inputs.others[k - 1], options.width, options.height);
+    }
+
+    // Where pictures begin in targets.
+    glm::ivec2 corner() const {
+        if (!plan.march.spreads_small_pictures || !is_one_tile()) return glm::ivec2(0);
+        return corner_of_picture(options.width, options.height);
+    }
+
+    bool is_one_tile() const {
+        return options.width <= plan.march.tile_width && options.height <= plan.march.tile_height;
+    }
+
+    // Where a tile lies in targets.
+    gpu::Rectangle in_targets(const gpu::Rectangle& tile) const {
+        return {table.corner().x, table.corner().y, tile.width, tile.height};
     }
 
     // Inputs must be for pictures of this size.
@@ -218,8 +234,10 @@ struct Renderer::Parts {
                 const gpu::Target* rays = draw_tile(inputs, tile, picture);
                 fill_counts(tile, picture.frame);
                 if (const auto at = endings_in(inputs)) {
+                    const gpu::Rectangle area = in_targets(tile);
                     take_endings(inputs, tile,
-                                 result.read(*at, 0, 0, tile.width, tile.height).data(), picture);
+                                 result.read(*at, area.x, area.y, area.width, area.height).data(),
+                                 picture);
                 }
                 if (proofs || proofs_of_surfaces) prove_tile(inputs, tile, picture);
                 if (moved && inputs.motion && several) {
@@ -239,9 +257,10 @@ struct Renderer::Parts {
 
     void read_attachments(const gpu::Rectangle& tile, image::Frame& frame) {
         const std::vector<Attachment> attachments = attachments_of(layers, frame);
-        if (!reads_at_once()) return back.in_strips(result, attachments, tile, planes);
+        if (!reads_at_once())
+            return back.in_strips(result, table.corner(), attachments, tile, planes);
         gpu::Transfer pixels = flights.transfer(bytes_of_a_tile());
-        back.at_once(result, attachments, tile, planes, pixels);
+        back.at_once(result, table.corner(), attachments, tile, planes, pixels);
         flights.give_back(std::move(pixels));
     }
 
@@ -260,7 +279,7 @@ struct Renderer::Parts {
         const bool is_box = scene.surface.bounds.shape == scene::Bounds::Shape::box;
         const bool by_beams = own.beams && passes.beams.back().block == Blocks::side;
         fused->draw(table, tile, plan, inputs.background(),
-                    by_beams ? own.beams->blocks(tile, reads_at_once())
+                    by_beams ? own.beams->blocks(in_targets(tile), reads_at_once())
                              : blocks_in_bounds(inputs.eye.frame, is_box, tile));
     }
 
@@ -270,7 +289,7 @@ struct Renderer::Parts {
                                  Picture& picture) {
         if (fused_surfaces) {
             timed([&] { fused_surfaces->draw(inputs, tile, picture.passes); });
-            record.read(result, 1, tile.width, tile.height);
+            record.read(result, 1, in_targets(tile));
             if (take_ended(tile, picture)) return nullptr;
             // Some ray takes longer than a draw may; others of this scene will too.
             fused_surfaces.reset();
@@ -280,14 +299,14 @@ struct Renderer::Parts {
         if (several) {
             several->draw(inputs, tile, result, environment ? &*environment : nullptr,
                           picture.passes);
-            record.read(result, 1, tile.width, tile.height);
+            record.read(result, 1, in_targets(tile));
             add(record.tally(), picture);
             return nullptr;
         }
         if (one_draw) {
             timed([&] { draw_fused(inputs, tile); });
             ++picture.passes;
-            record.read(result, 1, tile.width, tile.height);
+            record.read(result, 1, in_targets(tile));
             if (take_ended(tile, picture)) return nullptr;
             // Some ray takes longer than a draw may; others of this scene will too.
             one_draw = false;
@@ -299,7 +318,7 @@ struct Renderer::Parts {
         if (secondary) secondary->trace(table, own.marcher, tile, result, picture.passes);
         table.bind_numbered("state_texture", rays);
         table.draw(table.program(Role::shade), tile, result);
-        record.read(result, 1, tile.width, tile.height);
+        record.read(result, 1, in_targets(tile));
         add(record.tally(), picture);
         return &rays;
     }
@@ -403,10 +422,7 @@ struct Renderer::Parts {
     // A picture that takes one draw may be asked for before the last one is taken: it comes by way
     // of the driver's pixel buffers, and the next is drawn meanwhile. Software renderers, which
     // draw with the processors that read back, gain and lose nothing by it.
-    bool overlaps() const {
-        return one_draw && !proofs && options.width <= plan.march.tile_width &&
-               options.height <= plan.march.tile_height;
-    }
+    bool overlaps() const { return one_draw && !proofs && is_one_tile(); }
 
     gpu::Rectangle whole() const { return {0, 0, options.width, options.height}; }
 
@@ -417,7 +433,8 @@ struct Renderer::Parts {
         draw_fused(inputs, whole());
         gpu::Transfer pixels = flights.transfer(bytes_of_a_tile());
         std::size_t end = 0;
-        for (int k = 0; k < result.attachments(); ++k) end = pixels.ask(result, k, whole(), end);
+        for (int k = 0; k < result.attachments(); ++k)
+            end = pixels.ask(result, k, in_targets(whole()), end);
         pixels.send();
         flights.add({std::move(inputs), std::move(pixels), {}, {}});
     }

@@ -11,11 +11,12 @@ constexpr int attachments = 3; // of what is kept of an end, see shaders/effects
 
 SecondaryRays::SecondaryRays(const synthesis::Passes& passes, const scene::Scene& scene,
                              const MarchPlan& tile)
-    : ends_(tile.tile_width, tile.tile_height, attachments) {
+    : ends_(tile.target_width(), tile.target_height(), attachments) {
     if (passes.has(Role::shadow)) shadow_.emplace(passes, tile);
     if (passes.has(Role::mirror)) {
         mirror_ = Mirror{RayTargets(passes, tile),
-                         gpu::Target(tile.tile_width, tile.tile_height, attachments), std::nullopt};
+                         gpu::Target(tile.target_width(), tile.target_height(), attachments),
+                         std::nullopt};
         if (shadow_) mirror_->shadows.emplace(passes, tile);
     }
     if (passes.has(Role::glass)) glass_.emplace(passes, tile, scene.material.glass->depth);

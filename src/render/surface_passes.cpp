@@ -37,6 +37,17 @@ DrawLimits limits_of_a_draw(const gpu::ContextInfo& info, const scene::Scene& sc
             .threads = keeps_tiles ? 1 : std::max(1, info.threads)};
 }
 
+// Whether all that is drawn of a tile follows the table's corner(), and the same pixels come from
+// elsewhere: lists of elements are made for blocks of up to 64 pixels, which would be others.
+bool spreads_small_pictures(const gpu::ContextInfo& info, const scene::Scene& scene,
+                            const synthesis::Passes& passes) {
+    return info.software && passes.stage == synthesis::Stage::fragment && scene.others.empty() &&
+           !scene.isolation.certify && !passes.has(Role::glass) && !passes.has(Role::motion) &&
+           std::ranges::all_of(passes.beams, [](const synthesis::BeamLevel& level) {
+               return level.block == Blocks::side;
+           });
+}
+
 // Each surface keeps the states of its rays: smaller tiles keep that in bounds.
 constexpr int largest_tile_of_several = 512;
 
@@ -61,6 +72,8 @@ PlannedSurface::PlannedSurface(scene::Scene surface, const RenderOptions& option
                                        info.max_texture_size, options.plan);
     if (usual.march.evaluations_per_pass <= 1)
         passes = synthesis::without_fused_pass(std::move(passes));
+    plan.march.spreads_small_pictures =
+        !options.plan && spreads_small_pictures(info, scene, passes);
 }
 
 std::vector<PlannedSurface> plan_surfaces(const scene::Scene& scene, const RenderOptions& options,
@@ -151,8 +164,9 @@ void SurfacePasses::bind() {
 void SurfacePasses::draw_beams(const PictureInputs& inputs, const gpu::Rectangle& tile) {
     if (!beams) return;
     if (keeps_beams) return beams->bind(table, "beam");
-    beams->draw(table, inputs.eye.beams, {0, 0, tile.width, tile.height}, {tile.x, tile.y},
-                field->listed());
+    const glm::ivec2 corner = table.corner();
+    beams->draw(table, inputs.eye.beams, {0, 0, corner.x + tile.width, corner.y + tile.height},
+                glm::ivec2(tile.x, tile.y) - corner, field->listed());
 }
 
 } // namespace isomotion::render

@@ -48,9 +48,9 @@ TEST_P(ReadBacks, BringEachPixelToItsPlace) {
             ReadBack back(threads);
             if (at_once) {
                 gpu::Transfer pixels(2 * 4 * sizeof(float) * 200 * 190);
-                back.at_once(target, attachments, tile, planes, pixels);
+                back.at_once(target, {0, 0}, attachments, tile, planes, pixels);
             } else {
-                back.in_strips(target, attachments, tile, planes);
+                back.in_strips(target, {0, 0}, attachments, tile, planes);
             }
             const int components[] = {0, 1, 2, 3, 0, 2}, of[] = {0, 0, 0, 0, 2, 2};
             int wrong = 0;
