@@ -6,6 +6,8 @@
 // So roots that F only touches are found too, at a price that grows with the logarithm of how
 // nearly F touches 0.
 //
+// `thresholds.x` is the longest first step, whose error nothing measures.
+//
 // A turn has no branches, since software renderers and GPUs alike execute both sides of most.
 
 float next_sample(RayState s) {
@@ -94,7 +96,7 @@ RayState advance(RayState s, Ray ray, float t, vec2 f) {
     bool closes_in = isolated || refines;
     bool moves = starts || free || refines && same_side;
 
-    float step = starts ? abs(t - newton) : h * (min(middle, abs(f.x)) > 8.0 * error ? 2.5 : 1.2);
+    float step = starts ? min(abs(t - newton), thresholds.x) : h * (min(middle, abs(f.x)) > 8.0 * error ? 2.5 : 1.2);
 #ifdef ROUGH
     // Behind a break, whose length `other` holds, more may follow. Far from 0 steps grow fast.
     if (starts && s.other.x > 0.0) step = min(step, 8.0 * s.other.x);

@@ -257,7 +257,10 @@ Json settings_of(const scene::Scene& scene) {
             {"horizon", scale * isolation.horizon},
             {"bisections", isolation.bisections},
             {"limit", isolation.limit},
-            {"safety", isolation.safety}};
+            {"safety", isolation.safety},
+            {"cubics", scene::traits(isolation.method).steps == scene::Steps::cubics},
+            {"firstStep", scene.surface.cubic_steps.first},
+            {"longestStep", scene.surface.cubic_steps.longest}};
 }
 
 // One line of what `isomotion accuracy` measured of the scene's own method and step.

@@ -41,6 +41,9 @@ FrameBlock frame_block(const scene::Scene& scene, const scene::SceneAt& now, int
     block.thresholds = glm::dvec4(isolation.step, scale * isolation.near, scale * isolation.far,
                                   scale * isolation.horizon);
     const double eighth = 0.125 * now.bounds.radius;
+    const formula::CubicSteps& steps = scene.surface.cubic_steps;
+    if (scene::traits(isolation.method).steps == scene::Steps::cubics)
+        block.thresholds = glm::dvec4(steps.first * eighth, 0, 0, 0);
     const double footprint = 2 * glm::length(rays.up) / height;
     const double spacing = 0x1p-21 * now.bounds.radius; // some roundings of t
     // The finest step is where a root that F only touches is taken for one. An eighth of the radius
@@ -48,10 +51,12 @@ FrameBlock frame_block(const scene::Scene& scene, const scene::SceneAt& now, int
     // ones.
     const auto finest = [&](double part) { return std::max(part * footprint, spacing); };
     block.limits = glm::dvec4(isolation.bisections, isolation.limit, finest(0x1p-13), eighth);
-    // No wave of F may hide within the longest step: steps of half an element's radius lose some 10
-    // pixels in a million of blobby75, those of a whole one a thousand, and take as long.
-    block.cubics = glm::dvec4(isolation.safety, std::min(eighth, 0.5 * element_radius), spacing,
-                              finest(0x1p-10));
+    // No wave of F may hide within the longest step (formula/cubic_steps.h). In sums, steps of half
+    // an element's radius lose some 10 pixels in a million of blobby75, those of a whole one a
+    // thousand, and take as long.
+    block.cubics =
+        glm::dvec4(isolation.safety, std::min(steps.longest * eighth, 0.5 * element_radius),
+                   spacing, finest(0x1p-10));
     return block;
 }
 

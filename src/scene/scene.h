@@ -15,6 +15,7 @@
 
 #include "animation/timeline.h"
 #include "base/confines.h"
+#include "formula/cubic_steps.h"
 #include "formula/field.h"
 #include "formula/paint.h"
 #include "formula/smoothness.h"
@@ -57,7 +58,8 @@ struct Surface {
     std::shared_ptr<const formula::Field> field;
     int parameters = 0;        // the first tracks of the animation are the formula's parameters
     std::vector<Range> ranges; // ranges of the parameters that a scene can name
-    formula::Smoothness smoothness; // within the bounds, over all frames
+    formula::Smoothness smoothness;  // within the bounds, over all frames
+    formula::CubicSteps cubic_steps; // of an eighth of the bounds' radius
     // Of the array with the most, if known: see elements_at_a_place.h.
     std::optional<double> elements_at_a_place;
     bool jumps_are_walls = false; // jumps of F across 0 count as surface, too

@@ -73,9 +73,11 @@ function frameBlock(view, settings, width, height, aim) {
         ...(view.box ? [...view.min.map((x) => x - face), 0] : [...view.centre, view.radius + face]),
         ...view.max.map((x) => x + face), 0,
         2 / width, 2 / height, 0, 0,
-        settings.step, settings.near, settings.far, settings.horizon,
+        ...(settings.cubics ? [settings.firstStep * eighth, 0, 0, 0]
+            : [settings.step, settings.near, settings.far, settings.horizon]),
         settings.bisections, settings.limit, finest(2 ** -13), eighth,
-        settings.safety, Math.min(eighth, 0.5 * view.elementRadius), spacing, finest(2 ** -10),
+        settings.safety, Math.min(settings.longestStep * eighth, 0.5 * view.elementRadius), spacing,
+        finest(2 ** -10),
     ]);
 }
 

@@ -326,7 +326,10 @@ Scene read_document_scene(toml::table& root, const fs::path& file, const base::C
     scene.value_places = std::make_shared<const ValuePlaces>(tracks.stated());
     if (reading != Reading::whole) return scene;
     Isolation& isolation = scene.isolation;
-    scene.surface.smoothness = smoothness(*scene.surface.field, regions(scene, first));
+    const std::vector<formula::Region> looked_at = regions(scene, first);
+    scene.surface.smoothness = smoothness(*scene.surface.field, looked_at);
+    scene.surface.cubic_steps = cubic_steps(*scene.surface.field, scene.surface.smoothness,
+                                            looked_at, 0.125 * first.bounds.radius);
     if (isolation.method == Method::hermite && !isolation.certify)
         scene.surface.elements_at_a_place = elements_at_a_place(scene);
     if (!given.step) isolation.step = first.bounds.radius / 100;

@@ -109,6 +109,37 @@ std::string smooth(Draw& d) {
     }
 }
 
+// Many waves within the bounds, round or sharp, with little between them.
+std::string waves(Draw& d) {
+    const std::string k = d.number(5, 40),
+                      sines = fmt::format("sin({0}*u)*sin({0}*v)*sin({0}*w)", k);
+    switch (d.below(8)) {
+    case 0:
+        return fmt::format("{} - {}", sines, d.number(0.2, 0.9));
+    case 1:
+        return fmt::format("cos({0}*u) + cos({0}*v) + cos({0}*w) - {1}", k, d.number(0, 2.5));
+    case 2:
+        return fmt::format("{} - {}*{}", ball(d, 1.2), d.number(0.02, 0.3), sines);
+    case 3:
+        return fmt::format("w - {1}*sin({0}*u)*sin({2}*v)", k, d.number(0.02, 0.2),
+                           d.number(5, 40));
+    case 4:
+        return fmt::format("sin({}*u*v*w) - {}", d.number(3, 20), d.number(0, 0.8));
+    case 5:
+        return fmt::format("exp(sin({0}*u) + sin({0}*v) + sin({0}*w)) - {1}", k, d.number(1, 9));
+    case 6:
+        return fmt::format("tanh({1}*(sin({0}*u)*cos({0}*v) + sin({0}*v)*cos({0}*w) + "
+                           "sin({0}*w)*cos({0}*u))) - {2}",
+                           k, d.number(1, 5), d.number(0, 0.8));
+    default: {
+        const std::string wave = d.number(2, 8);
+        return fmt::format("1/(1 + {1}*sin({0}*u)^2) + 1/(1 + {1}*sin({0}*v)^2) + "
+                           "1/(1 + {1}*sin({0}*w)^2) - {2}",
+                           wave, d.number(5, 60), d.number(1.1, 2.5));
+    }
+    }
+}
+
 std::string body(Draw& d) {
     switch (d.below(6)) {
     case 0:
@@ -241,9 +272,16 @@ std::string jumps(Draw& d) {
 }
 
 constexpr Family all[]{
-    {"polynomial", polynomial}, {"smooth", smooth},    {"csg", csg},
-    {"shell", shell},           {"power", fractional}, {"pole", poles},
-    {"sum", elements, true},    {"jump", jumps},       {"root", roots},
+    {"polynomial", polynomial},
+    {"smooth", smooth},
+    {"csg", csg},
+    {"shell", shell},
+    {"power", fractional},
+    {"pole", poles},
+    {"sum", elements, true},
+    {"jump", jumps},
+    {"root", roots},
+    {"wave", waves},
 };
 
 // The rows of a rotation by a random unit quaternion.
