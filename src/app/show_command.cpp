@@ -132,6 +132,10 @@ void print_surface(const scene::Scene& scene, const synthesis::Passes& passes,
     print_result("class     {}\n", formula::words(scene.surface.smoothness));
     if (isolation.method == scene::Method::hermite) {
         print_result("method    hermite, safety {:g}", isolation.safety);
+        const formula::CubicSteps& steps = scene.surface.cubic_steps;
+        if (steps != formula::CubicSteps{})
+            print_result(", steps of {:g} of the usual, the first {:g}", steps.longest,
+                         steps.first);
     } else if (!scene::takes_steps(isolation.method)) {
         print_result("method    {}", scene::name(isolation.method));
     } else {

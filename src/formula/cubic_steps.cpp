@@ -162,15 +162,14 @@ private:
         std::vector<double> values(count);
         const std::array<std::span<const double>, 3> inputs{places[0], places[1], places[2]};
         value_.points(line.looked->numbers, inputs, std::array{std::span<double>(values)});
-        std::optional<std::size_t> begun; // the last change of sign
+        double begun = -HUGE_VAL; // where F has changed its sign last
         for (std::size_t k = 1; k < count; ++k) {
-            if (std::isnan(values[k])) begun.reset();
+            if (std::isnan(values[k])) begun = -HUGE_VAL;
             if (!(values[k - 1] < 0 && values[k] > 0) && !(values[k - 1] > 0 && values[k] < 0))
                 continue;
-            const double begin = begun ? double(*begun) * apart() : -HUGE_VAL;
             const double end = double(k) * apart();
-            if (end - begin < length_) bumps_.push_back({&line, begin, end});
-            begun = k - 1;
+            if (end - begun < length_) bumps_.push_back({&line, begun, end});
+            begun = double(k - 1) * apart();
         }
     }
 
