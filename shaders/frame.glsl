@@ -8,8 +8,8 @@ flat in vec4 ray_up;
 // Box: its corners. Sphere: centre in bounds_min.xyz, radius in bounds_min.w.
 flat in vec4 bounds_min;
 flat in vec4 bounds_max;
-flat in vec4 picture;    // 2/width, 2/height; the tile's lower left pixel in the whole picture
-// Step, near, far and horizon of Eq. 2 (march/adaptive_step.glsl).
+flat in vec4 picture;    // 2/width, 2/height; the target's lower left pixel in the whole picture
+// Step, near, far and horizon of Eq. 2 (march/adaptive_step.glsl); for cubics the longest first step.
 flat in vec4 thresholds;
 // Bisections; evaluations per ray; for methods that bound F, the shortest and the first piece.
 flat in vec4 limits;

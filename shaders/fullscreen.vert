@@ -4,7 +4,7 @@
 layout(std140) uniform Frame {
     vec4 frame[10];
 };
-uniform ivec2 tile_origin; // the lower left pixel of the tile being drawn, in the whole picture
+uniform ivec2 tile_origin; // the target's lower left pixel, in the whole picture
 
 flat out vec4 ray_origin, ray_axis, ray_right, ray_up, bounds_min, bounds_max, picture, thresholds,
     limits, cubics;

@@ -12,16 +12,15 @@
 namespace isomotion::formula {
 namespace {
 
-constexpr std::size_t most_lines = 64;  // of all regions
+constexpr std::size_t most_lines = 64;  // of all regions; every other one is aimed at the surface
 constexpr std::size_t most_regions = 4; // that are looked at
 constexpr std::size_t most_bumps = 512; // that are stepped over
 constexpr int steps_over_a_bump = 16;   // each begins elsewhere
 constexpr int samples_a_step = 64;      // on a line, of the longest step
 constexpr double shortest = 0x1p-5;     // part of the longest step
-// Hermite takes its errors for 32 times as large, unless a scene says otherwise. A step that passes
-// a bump is so rare that a trial of thousands may not meet one, so these pass more.
-constexpr double safety = 8;
-constexpr double part_of_first_error = 0.25;
+// A step that passes a bump is so rare that a trial of thousands may not meet one. So errors count
+// for this part of what they are, and more steps pass.
+constexpr double part_of_errors = 0.25;
 // Polynomials turn too seldom on a ray to hide a bump from three samples.
 constexpr int plain_degree = 12;
 
@@ -30,7 +29,14 @@ struct Looked {
     Bindings<double> numbers;
     Bindings<Interval> bindings;
     std::array<Interval, 3> box;
+    double length; // of the longest step
 };
+
+double diagonal(const std::array<Interval, 3>& box) {
+    double square = 0;
+    for (const Interval& side : box) square += (side.hi - side.lo) * (side.hi - side.lo);
+    return std::sqrt(square);
+}
 
 template<class T> Bindings<T> middle_of(const Bindings<Interval>& bindings) {
     Bindings<T> all;
@@ -54,6 +60,7 @@ struct Line {
     double length = 0;
 
     double coordinate(std::size_t axis, double t) const { return from[axis] + t * along[axis]; }
+    double apart() const { return looked->length / samples_a_step; } // of samples
 };
 
 // F has one sign from `begin` to `end` on a line, and the other one on both sides.
@@ -66,12 +73,12 @@ struct Sample {
     double t, f, slope;
 };
 
-// Whether hermite passes from a to b, where F has one sign: see shaders/march/hermite.glsl. The
-// third sample is missing on a ray's first step.
-bool passes(const Sample& a, const Sample& b, const std::optional<Sample>& third) {
+// Whether hermite goes on behind b without a root between a and b; or with one, where F changes its
+// sign: see shaders/march/hermite.glsl. The third sample is missing on a ray's first step.
+bool passes(const Sample& a, const Sample& b, const std::optional<Sample>& third, double safety) {
     const double h = b.t - a.t, mean = (b.f - a.f) / h;
     const double c2 = (mean - a.slope) / h, c3 = (b.slope + a.slope - 2 * mean) / (h * h);
-    double error = part_of_first_error * std::abs(c3) * h * h * h;
+    double error = std::abs(c3) * h * h * h;
     if (third) {
         const double o = third->t - a.t, p = third->t - b.t;
         const double off = a.f + o * (a.slope + o * (c2 + p * c3)) - third->f;
@@ -79,51 +86,61 @@ bool passes(const Sample& a, const Sample& b, const std::optional<Sample>& third
         const double scale = 0.25 * h * h / (o * p);
         error = safety * scale * scale * (std::abs(off) + std::abs(0.5 * bend * o * p / (o + p)));
     }
+    error *= part_of_errors;
     const double upright = a.f < 0 ? -1 : 1;
     const double x = upright * 3 * c3, y = upright * (c2 - h * c3), z = upright * a.slope;
     const double root = std::sqrt(std::max(y * y - x * z, 0.0));
     double least_at = (y > 0 ? -z : root - y) / (y > 0 ? y + root : x);
-    if (!(least_at > 0 && least_at < h)) least_at = 0.5 * h;
+    const bool dips = least_at > 0 && least_at < h;
+    if (!dips) least_at = 0.5 * h;
     const double least =
         upright * (a.f + least_at * (a.slope + least_at * (c2 + (least_at - h) * c3)));
     const double in_step = 4 * least_at * (h - least_at) / (h * h);
+    const bool clear = least > error * in_step * in_step;
+    if ((a.f < 0) != (b.f < 0))
+        return (clear || !dips) && error < 0.5 * std::max(std::abs(a.f), std::abs(b.f));
     const double middle = upright * (0.5 * (a.f + b.f) + 0.125 * h * (a.slope - b.slope));
-    return least > error * in_step * in_step && middle > error;
+    return clear && middle > error;
 }
 
 // Steps over the bumps that random lines meet.
 class Trial {
 public:
-    Trial(const Field& field, bool is_smooth, std::span<const Region> regions, double length,
-          double operations)
+    Trial(const Field& field, const Smoothness& smoothness, std::span<const Region> regions,
+          double length, double safety, double operations)
         : field_(field)
-        , is_smooth_(is_smooth)
+        , is_smooth_(smoothness.is_smooth())
+        , safety_(safety)
         , value_(field.value)
         , directional_(field.directional)
-        , length_(length) {
+        , bounds_(value_enclosure(field)) {
         const std::size_t count = std::min(regions.size(), most_regions);
         for (std::size_t k = 0; k < count; ++k) {
-            const Region& region = regions[k * regions.size() / count];
+            const std::size_t at = k * (regions.size() - 1) / std::max<std::size_t>(count - 1, 1);
+            const Region& region = regions[at];
             looked_.push_back({middle_of<double>(region.bindings),
-                               middle_of<Interval>(region.bindings), region.box});
+                               middle_of<Interval>(region.bindings), region.box,
+                               length * diagonal(region.box) / diagonal(regions.front().box)});
         }
         const std::vector<int> counts = looked_.front().numbers.counts();
         double left = operations / (cost(field.value, counts).operations + 1); // evaluations
         lines_.reserve(most_lines);
         for (std::size_t k = 0; k < most_lines; ++k) {
-            const Line line = random_line(looked_[k % count]);
-            const auto samples = std::size_t(std::min(line.length / apart(), 1e5));
+            const Line line = random_line(looked_[k / 2 % count], k % 2 == 1);
+            if (!(line.length > 0)) continue;
+            const auto samples = std::size_t(std::min(line.length / line.apart(), 1e5));
             if ((left -= double(samples)) < 0) break;
             find_bumps(lines_.emplace_back(line), samples);
         }
+        // Most trials of a step that is too long end soon.
         const double step = 3 * (cost(field.directional, counts).operations + 1);
-        keep_bumps(std::size_t(operations / (steps_over_a_bump * step)));
+        keep_bumps(std::size_t(0.25 * operations / (steps_over_a_bump * step)));
     }
 
     // The longest part that steps over no bump.
     double longest(bool is_first) {
         for (double part = 1; part > shortest; part *= 0.5)
-            if (!hides_a_bump(part * length_, is_first)) return part;
+            if (!hides_a_bump(part, is_first)) return part;
         return shortest;
     }
 
@@ -132,11 +149,31 @@ private:
         return side.lo + (side.hi - side.lo) * double(random_() >> 11) * 0x1p-53;
     }
 
-    Line random_line(const Looked& looked) {
+    // Where F may be 0, if halving the box at random leads to such a place.
+    std::array<double, 3> aimed_place(const Looked& looked) {
+        std::array<Interval, 3> box = looked.box;
+        for (std::size_t k = 0; k < 3 * 10; ++k) {
+            Interval& side = box[k % 3];
+            std::array halves{Interval(side.lo, mid(side)), Interval(mid(side), side.hi)};
+            if (random_() >> 63) std::swap(halves[0], halves[1]);
+            side = halves[0];
+            if (!may_be_0(looked, box)) side = halves[1];
+        }
+        return {in(box[0]), in(box[1]), in(box[2])};
+    }
+
+    bool may_be_0(const Looked& looked, const std::array<Interval, 3>& box) {
+        Interval f;
+        bounds_.point(looked.bindings, box, {&f, 1});
+        return f.lo <= 0 && f.hi >= 0;
+    }
+
+    Line random_line(const Looked& looked, bool is_aimed) {
         Line line{&looked};
+        line.from = is_aimed ? aimed_place(looked)
+                             : std::array{in(looked.box[0]), in(looked.box[1]), in(looked.box[2])};
         double begin = -HUGE_VAL, end = HUGE_VAL, square = 0;
         for (std::size_t k = 0; k < 3; ++k) {
-            line.from[k] = in(looked.box[k]);
             line.along[k] = in(looked.box[k]) - line.from[k];
             square += line.along[k] * line.along[k];
         }
@@ -152,24 +189,26 @@ private:
         return line;
     }
 
-    double apart() const { return length_ / samples_a_step; }
-
     void find_bumps(const Line& line, std::size_t count) {
         std::array<std::vector<double>, 3> places;
         for (std::size_t axis = 0; axis < 3; ++axis)
             for (std::size_t k = 0; k < count; ++k)
-                places[axis].push_back(line.coordinate(axis, double(k) * apart()));
+                places[axis].push_back(line.coordinate(axis, double(k) * line.apart()));
         std::vector<double> values(count);
         const std::array<std::span<const double>, 3> inputs{places[0], places[1], places[2]};
         value_.points(line.looked->numbers, inputs, std::array{std::span<double>(values)});
         double begun = -HUGE_VAL; // where F has changed its sign last
-        for (std::size_t k = 1; k < count; ++k) {
-            if (std::isnan(values[k])) begun = -HUGE_VAL;
-            if (!(values[k - 1] < 0 && values[k] > 0) && !(values[k - 1] > 0 && values[k] < 0))
-                continue;
-            const double end = double(k) * apart();
-            if (end - begun < length_) bumps_.push_back({&line, begun, end});
-            begun = double(k - 1) * apart();
+        std::size_t last = 0;     // sample with a sign
+        for (std::size_t k = 0; k < count; ++k) {
+            if (values[k] == 0) continue;
+            if (std::isnan(values[k])) {
+                begun = -HUGE_VAL;
+            } else if ((values[last] < 0 && values[k] > 0) || (values[last] > 0 && values[k] < 0)) {
+                const double end = double(k) * line.apart();
+                if (end - begun < line.looked->length) bumps_.push_back({&line, begun, end});
+                begun = double(last) * line.apart();
+            }
+            last = k;
         }
     }
 
@@ -188,7 +227,7 @@ private:
         }
         std::array<double, 2> f{};
         directional_.point(line.looked->numbers, inputs, f);
-        return {t, f[0], f[1]};
+        return {t, f[0], std::isnan(f[1]) ? 0 : f[1]}; // as hermite does
     }
 
     // Where F isn't smooth, cubics don't judge.
@@ -203,36 +242,41 @@ private:
         return told[1] == Interval{0, 0};
     }
 
-    bool hides_a_bump(double length, bool is_first) {
+    bool hides_a_bump(double part, bool is_first) {
         for (const Bump& bump : bumps_) {
+            const double length = part * bump.line->looked->length;
             if (bump.end - bump.begin > length) continue;
-            for (int k = 0; k < steps_over_a_bump; ++k)
-                if (is_hidden(bump, length, is_first)) return true;
+            for (int k = 0; k < steps_over_a_bump; ++k) {
+                // Steps grow, or are as long as they may be.
+                const double before = length / (k % 2 ? in({1.2, 2.5}) : 1);
+                if (is_hidden(bump, length, is_first ? 0 : before)) return true;
+            }
         }
         return false;
     }
 
-    // Whether a step over the bump, which begins at random, is passed.
-    bool is_hidden(const Bump& bump, double length, bool is_first) {
+    // Whether a step over the bump, which begins at random, is passed. `before`: the length of the
+    // step before it; 0 for a ray's first step, which is no longer than Newton's.
+    bool is_hidden(const Bump& bump, double length, double before) {
         const double begin = bump.begin - in({0, 1}) * (length - (bump.end - bump.begin));
+        if (begin - before < 0 || begin + length > bump.line->length) return false;
         const Sample low = sample(*bump.line, begin);
-        // As long as Newton's.
-        const double h = is_first ? std::min(length, std::abs(low.f / low.slope)) : length;
-        const double before = is_first ? 0 : length / in({1.2, 2.5});
-        if (begin - before < 0 || begin + h > bump.line->length || begin + h < bump.end)
-            return false;
-        const Sample high = sample(*bump.line, begin + h);
+        const bool is_first = before == 0;
+        const double end =
+            begin + (is_first ? std::min(length, std::abs(low.f / low.slope)) : length);
+        if (!(end >= bump.end)) return false;
         std::optional<Sample> third;
         if (!is_first) third = sample(*bump.line, begin - before);
-        return (low.f < 0) == (high.f < 0) && passes(low, high, third) &&
-               is_judged_by_cubics(*bump.line, begin, begin + h);
+        return passes(low, sample(*bump.line, end), third, safety_) &&
+               is_judged_by_cubics(*bump.line, begin, end);
     }
 
     const Field& field_;
     bool is_smooth_;
+    double safety_;
     Evaluator<double> value_, directional_;
+    Evaluator<Interval> bounds_;
     std::optional<Evaluator<Interval>> rough_;
-    double length_;
     std::vector<Looked> looked_;
     std::vector<Line> lines_;
     std::vector<Bump> bumps_;
@@ -242,9 +286,13 @@ private:
 } // namespace
 
 CubicSteps cubic_steps(const Field& field, const Smoothness& smoothness,
-                       std::span<const Region> regions, double length, double operations) {
-    if (smoothness.degree && *smoothness.degree <= plain_degree) return {};
-    Trial trial(field, smoothness.is_smooth(), regions, length, operations);
+                       std::span<const Region> regions, double length, double safety,
+                       double operations) {
+    if (regions.empty() || (smoothness.degree && *smoothness.degree <= plain_degree)) return {};
+    // A line has a hundred samples and more.
+    const std::vector<int> counts = regions.front().bindings.counts();
+    if (100 * cost(field.value, counts).operations > operations) return {};
+    Trial trial(field, smoothness, regions, length, safety, operations);
     CubicSteps found;
     found.longest = trial.longest(false);
     found.first = std::min(found.longest, trial.longest(true));

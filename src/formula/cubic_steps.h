@@ -20,9 +20,11 @@ struct CubicSteps {
     bool operator==(const CubicSteps&) const = default;
 };
 
-// Looks at lines in each of the regions, for a method whose longest step is `length`. Takes a few
-// times `operations`; of formulas whose values on a line take more, it tells nothing.
+// Looks at lines in some of the regions, for cubics whose longest step is `length` in the first of
+// them, in proportion in the others, and which take their measured errors `safety` times. Takes
+// some times `operations`; of a formula of which a line takes more, it tells nothing.
 CubicSteps cubic_steps(const Field& field, const Smoothness& smoothness,
-                       std::span<const Region> regions, double length, double operations = 1e7);
+                       std::span<const Region> regions, double length, double safety = 32,
+                       double operations = 1e7);
 
 } // namespace isomotion::formula

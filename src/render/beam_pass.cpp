@@ -19,14 +19,15 @@ int texels_apart(int length, int square) {
     return blocks_in(length, square) * synthesis::beam_square;
 }
 
-// Draws these blocks, from the corner of a square on, whose squares are `side` blocks across; none
-// beyond them.
+// Draws these blocks, whose squares are `side` blocks across; none beyond them.
 void draw_apart(const gpu::Fullscreen& triangle, const gpu::Rectangle& blocks, int side) {
     const int right = blocks.x + blocks.width, top = blocks.y + blocks.height;
-    for (int y = blocks.y; y < top; y += side) {
-        for (int x = blocks.x; x < right; x += side) {
-            gpu::set_viewport({x / side * synthesis::beam_square, y / side * synthesis::beam_square,
-                               std::min(side, right - x), std::min(side, top - y)});
+    for (int y = blocks.y / side * side; y < top; y += side) {
+        for (int x = blocks.x / side * side; x < right; x += side) {
+            const int left = std::max(blocks.x - x, 0), low = std::max(blocks.y - y, 0);
+            gpu::set_viewport({x / side * synthesis::beam_square + left,
+                               y / side * synthesis::beam_square + low,
+                               std::min(side, right - x) - left, std::min(side, top - y) - low});
             triangle.draw();
         }
     }

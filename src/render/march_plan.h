@@ -51,7 +51,7 @@ MarchPlan plan_march(const formula::Cost& evaluation, int width, int height, int
                      const DrawLimits& limits = {});
 
 // Where a picture begins in its targets, in pixels, so that several threads of a software renderer
-// draw it: if it has at most 64x64 pixels, about the corner of four squares of these. Multiples of
+// draw it: one of at most 64x64 pixels lies about the corner of four squares of these. Multiples of
 // 8, so that blocks of rays stay the same; 0 along sides that are longer.
 glm::ivec2 corner_of_picture(int width, int height);
 

@@ -41,8 +41,9 @@ DrawLimits limits_of_a_draw(const gpu::ContextInfo& info, const scene::Scene& sc
 // elsewhere: lists of elements are made for blocks of up to 64 pixels, which would be others.
 bool spreads_small_pictures(const gpu::ContextInfo& info, const scene::Scene& scene,
                             const synthesis::Passes& passes) {
-    return info.software && passes.stage == synthesis::Stage::fragment && scene.others.empty() &&
-           !scene.isolation.certify && !passes.has(Role::glass) && !passes.has(Role::motion) &&
+    return info.software && passes.stage == synthesis::Stage::fragment &&
+           !synthesis::is_among(scene) && !scene.isolation.certify && !passes.has(Role::glass) &&
+           !passes.has(Role::motion) &&
            std::ranges::all_of(passes.beams, [](const synthesis::BeamLevel& level) {
                return level.block == Blocks::side;
            });
@@ -165,7 +166,7 @@ void SurfacePasses::draw_beams(const PictureInputs& inputs, const gpu::Rectangle
     if (!beams) return;
     if (keeps_beams) return beams->bind(table, "beam");
     const glm::ivec2 corner = table.corner();
-    beams->draw(table, inputs.eye.beams, {0, 0, corner.x + tile.width, corner.y + tile.height},
+    beams->draw(table, inputs.eye.beams, {corner.x, corner.y, tile.width, tile.height},
                 glm::ivec2(tile.x, tile.y) - corner, field->listed());
 }
 

@@ -125,6 +125,7 @@ TEST_F(NewUser, AFormulaIsKnownByItsWords) {
         {"xy = 1", "unknown name 'xy'; a product is written 'x*y'"},
         {"X^2 = 1", "unknown name 'X'; did you mean 'x'?"},
         {"a x", "--set a=1 makes it a parameter"},
+        {"|x|^n = 1", "'n' means the number of elements in expressions; choose another name"},
         {"xyz", "xyz: no such file"},
         {"x.obj", "x.obj: no such file"},
     };

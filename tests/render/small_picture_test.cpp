@@ -52,9 +52,10 @@ cy = "cos(i*2.3)*(1 - i/700)"
 cz = "sin(i*0.9 + 1)*0.8"
 )toml";
 
-// Settled blocks, beams by intervals, none, elements by place with the shadows of a look; then a box,
-// with rays that begin on the surface, and a colour that the surface's bend decides.
-const std::array<std::string, 6> scenes{
+// Settled blocks, beams by intervals, none, elements by place with the shadows of a look; then a
+// box, with rays that begin on the surface, a colour that the surface's bend decides, and two
+// surfaces, which stay where they are.
+const std::array<std::string, 7> scenes{
     sphere_scene,
     "[surface]\nuse = 'superquadric'\n",
     "[surface]\nuse = 'barth_sextic'\n[isolation]\nmethod = 'amp-sign'\nbeam = false\n",
@@ -64,6 +65,8 @@ const std::array<std::string, 6> scenes{
     "[material]\nreflection = 'self'\n[[lights]]\ndirection = [1, 2, 3]\nshadow = true\n",
     "[surface]\nuse = 'cayley'\n[material.colormap]\nvalue = 'mean_curvature'\nrange = [-2, "
     "2]\n[occlusion]\n",
+    "[[surfaces]]\nuse = 'goursat'\n[[surfaces]]\nformula = 'x^2 + y^2 - 0.1 - 0.1*z'\n"
+    "bounds = { sphere = 2 }\n",
 };
 
 class SmallPicture : public Drawing {
@@ -76,7 +79,8 @@ protected:
             options.plan = renderer.plan();
         }
         Renderer renderer(*context, scene, options);
-        EXPECT_EQ(renderer.plan().spreads_small_pictures, spreads && context->info().software);
+        EXPECT_EQ(renderer.plan().spreads_small_pictures,
+                  spreads && context->info().software && scene.others.empty());
         renderer.resize(size.x, size.y);
         return renderer.draw(scene::at(scene, scene.timeline.values(1)));
     }

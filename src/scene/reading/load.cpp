@@ -29,6 +29,7 @@
 #include "scene/reading/material.h"
 #include "scene/reading/mistakes.h"
 #include "scene/reading/named_file.h"
+#include "scene/reading/names.h"
 #include "scene/reading/output.h"
 #include "scene/reading/overrides.h"
 #include "scene/reading/pov.h"
@@ -328,8 +329,9 @@ Scene read_document_scene(toml::table& root, const fs::path& file, const base::C
     Isolation& isolation = scene.isolation;
     const std::vector<formula::Region> looked_at = regions(scene, first);
     scene.surface.smoothness = smoothness(*scene.surface.field, looked_at);
-    scene.surface.cubic_steps = cubic_steps(*scene.surface.field, scene.surface.smoothness,
-                                            looked_at, 0.125 * first.bounds.radius);
+    scene.surface.cubic_steps =
+        cubic_steps(*scene.surface.field, scene.surface.smoothness, looked_at,
+                    0.125 * first.bounds.radius, isolation.safety);
     if (isolation.method == Method::hermite && !isolation.certify)
         scene.surface.elements_at_a_place = elements_at_a_place(scene);
     if (!given.step) isolation.step = first.bounds.radius / 100;
@@ -560,6 +562,9 @@ std::string how_to_name(std::string_view mistake) {
     if (!mistake.starts_with(start)) return "";
     const std::string_view name =
         mistake.substr(start.size(), mistake.find('\'', start.size()) - start.size());
+    if (const std::string_view meaning = meaning_in_expressions(name); !meaning.empty())
+        return fmt::format("\n'{}' means the {} in expressions; choose another name", name,
+                           meaning);
     return fmt::format("\n--set {}=1 makes it a parameter", name);
 }
 

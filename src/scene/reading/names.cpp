@@ -7,6 +7,13 @@
 
 namespace isomotion::scene {
 
+std::string_view meaning_in_expressions(std::string_view name) {
+    return name == "t"   ? "time"
+           : name == "i" ? "element's index"
+           : name == "n" ? "number of elements"
+                         : "";
+}
+
 void check_name(const std::string& name, const toml::node& at, const std::string& key) {
     if (!formula::is_identifier(name)) {
         fail(at, key, "a name is letters, digits and _, and starts with a letter");
@@ -20,12 +27,9 @@ void check_name(const std::string& name, const toml::node& at, const std::string
         fail(at, key,
              fmt::format("'{}' already has a meaning in formulas; choose another name", name));
     }
-    if (name == "t" || name == "i" || name == "n") {
+    if (const std::string_view meaning = meaning_in_expressions(name); !meaning.empty()) {
         fail(at, key,
-             fmt::format("'{}' means the {} in expressions; choose another name", name,
-                         name == "t"   ? "time"
-                         : name == "i" ? "element's index"
-                                       : "number of elements"));
+             fmt::format("'{}' means the {} in expressions; choose another name", name, meaning));
     }
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 
 #include "scene/reading/document.h"
 
@@ -10,5 +11,8 @@ namespace isomotion::scene {
 // Throws SceneError for a name that formulas and expressions cannot use, or that means something
 // else there.
 void check_name(const std::string& name, const toml::node& at, const std::string& key);
+
+// What the name means in expressions, so that nothing else can have it; empty for other names.
+std::string_view meaning_in_expressions(std::string_view name);
 
 } // namespace isomotion::scene

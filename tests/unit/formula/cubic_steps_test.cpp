@@ -18,7 +18,7 @@ CubicSteps steps_of(const std::string& text, double radius = 1.5, double paramet
     Region region{{}, {side, side, side}};
     region.bindings.parameters = {Interval(parameter)};
     const std::span<const Region> regions{&region, 1};
-    return cubic_steps(field, smoothness(field, regions), regions, radius / 8, operations);
+    return cubic_steps(field, smoothness(field, regions), regions, radius / 8, 32, operations);
 }
 
 // Nothing to hide: round bodies, and waves that are longer than any step.
