@@ -113,7 +113,7 @@ RayState advance_by_bounds(RayState s, Ray ray, float t, vec2 f) {
 }
 
 // Returns whether intervals judged the piece up to the sample at t; s is the result. Leaves cubics
-// no pieces longer than `longest`; others may be longer.
+// no pieces longer than `longest`; pieces of bounds may be longer.
 bool judge_by_intervals(inout RayState s, Ray ray, float t, vec2 f, float longest) {
     if (s.phase == PHASE_START) {
         if (!im_is_nan(f.x)) return false;
@@ -131,9 +131,11 @@ bool judge_by_intervals(inout RayState s, Ray ray, float t, vec2 f, float longes
         s = pass_piece(s, ray, t, f, behind);
         return true;
     }
+    // Behind a piece that bounds judged there is no third sample, as where a ray begins.
+    float most = s.other.x == s.low ? thresholds.x : longest;
     // After a cut the length is the same but for rounding.
-    if (is_smooth && t - s.low <= 1.01 * longest) return false;
-    if (is_smooth) s = cut(s, longest);
+    if (is_smooth && t - s.low <= 1.01 * most) return false;
+    if (is_smooth) s = cut(s, most);
     else s = advance_by_bounds(s, ray, t, f);
     return true;
 }

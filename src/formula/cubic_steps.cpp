@@ -12,45 +12,29 @@
 namespace isomotion::formula {
 namespace {
 
-constexpr std::size_t most_lines = 64;  // of all regions; every other one is aimed at the surface
-constexpr std::size_t most_regions = 4; // that are looked at
+constexpr std::size_t most_lines = 64;  // of all moments; every other one is aimed at the surface
 constexpr std::size_t most_bumps = 512; // that are stepped over
 constexpr int steps_over_a_bump = 16;   // each begins elsewhere
-constexpr int samples_a_step = 64;      // on a line, of the longest step
-constexpr double shortest = 0x1p-5;     // part of the longest step
+// Samples on a line, of the longest step: as many as there are operations for.
+constexpr double most_samples = 256, fewest_samples = 64;
+constexpr double shortest = 0x1p-8; // part of the longest step
 // A step that passes a bump is so rare that a trial of thousands may not meet one. So errors count
 // for this part of what they are, and more steps pass.
 constexpr double part_of_errors = 0.25;
 // Polynomials turn too seldom on a ray to hide a bump from three samples.
 constexpr int plain_degree = 12;
 
-// A region, with values of names in the middle of what they may be.
 struct Looked {
-    Bindings<double> numbers;
-    Bindings<Interval> bindings;
-    std::array<Interval, 3> box;
-    double length; // of the longest step
+    const Moment* moment;
+    Bindings<Interval> bindings; // the same values
+    double length;               // of the longest step
+    double apart;                // of samples
 };
 
 double diagonal(const std::array<Interval, 3>& box) {
     double square = 0;
     for (const Interval& side : box) square += (side.hi - side.lo) * (side.hi - side.lo);
     return std::sqrt(square);
-}
-
-template<class T> Bindings<T> middle_of(const Bindings<Interval>& bindings) {
-    Bindings<T> all;
-    for (const Interval& value : bindings.parameters) all.parameters.emplace_back(mid(value));
-    for (const auto& array : bindings.arrays) {
-        auto& columns = all.arrays.emplace_back();
-        columns.count = array.count;
-        for (const auto& field : array.fields) {
-            auto& column = columns.fields.emplace_back();
-            for (const Interval& value : field) column.emplace_back(mid(value));
-        }
-    }
-    all.seed = bindings.seed;
-    return all;
 }
 
 // From side to side of a box.
@@ -60,7 +44,6 @@ struct Line {
     double length = 0;
 
     double coordinate(std::size_t axis, double t) const { return from[axis] + t * along[axis]; }
-    double apart() const { return looked->length / samples_a_step; } // of samples
 };
 
 // F has one sign from `begin` to `end` on a line, and the other one on both sides.
@@ -106,7 +89,7 @@ bool passes(const Sample& a, const Sample& b, const std::optional<Sample>& third
 // Steps over the bumps that random lines meet.
 class Trial {
 public:
-    Trial(const Field& field, const Smoothness& smoothness, std::span<const Region> regions,
+    Trial(const Field& field, const Smoothness& smoothness, std::span<const Moment> moments,
           double length, double safety, double operations)
         : field_(field)
         , is_smooth_(smoothness.is_smooth())
@@ -114,21 +97,22 @@ public:
         , value_(field.value)
         , directional_(field.directional)
         , bounds_(value_enclosure(field)) {
-        const std::size_t count = std::min(regions.size(), most_regions);
-        for (std::size_t k = 0; k < count; ++k) {
-            const std::size_t at = k * (regions.size() - 1) / std::max<std::size_t>(count - 1, 1);
-            const Region& region = regions[at];
-            looked_.push_back({middle_of<double>(region.bindings),
-                               middle_of<Interval>(region.bindings), region.box,
-                               length * diagonal(region.box) / diagonal(regions.front().box)});
-        }
-        const std::vector<int> counts = looked_.front().numbers.counts();
+        const std::vector<int> counts = moments.front().numbers.counts();
         double left = operations / (cost(field.value, counts).operations + 1); // evaluations
+        const double whole = diagonal(moments.front().box);
+        // Lines have half of the diagonal's length in the mean.
+        const double affordable = left / (0.5 * whole / length * double(most_lines));
+        const double samples_a_step = std::clamp(affordable, fewest_samples, most_samples);
+        for (const Moment& moment : moments) {
+            const double its = length * diagonal(moment.box) / whole;
+            looked_.push_back(
+                {&moment, convert<Interval>(moment.numbers), its, its / samples_a_step});
+        }
         lines_.reserve(most_lines);
         for (std::size_t k = 0; k < most_lines; ++k) {
-            const Line line = random_line(looked_[k / 2 % count], k % 2 == 1);
+            const Line line = random_line(looked_[k / 2 % looked_.size()], k % 2 == 1);
             if (!(line.length > 0)) continue;
-            const auto samples = std::size_t(std::min(line.length / line.apart(), 1e5));
+            const auto samples = std::size_t(std::min(line.length / line.looked->apart, 1e5));
             if ((left -= double(samples)) < 0) break;
             find_bumps(lines_.emplace_back(line), samples);
         }
@@ -137,11 +121,13 @@ public:
         keep_bumps(std::size_t(0.25 * operations / (steps_over_a_bump * step)));
     }
 
-    // The longest part that steps over no bump.
+    // The longest part that steps over no bump, nor does any shorter one: where there are kinks,
+    // long steps are none of cubics.
     double longest(bool is_first) {
-        for (double part = 1; part > shortest; part *= 0.5)
-            if (!hides_a_bump(part, is_first)) return part;
-        return shortest;
+        double found = 1;
+        for (double part = 1; part > shortest && (part == found || !is_smooth_); part *= 0.5)
+            if (hides_a_bump(part, is_first)) found = 0.5 * part;
+        return found;
     }
 
 private:
@@ -151,7 +137,7 @@ private:
 
     // Where F may be 0, if halving the box at random leads to such a place.
     std::array<double, 3> aimed_place(const Looked& looked) {
-        std::array<Interval, 3> box = looked.box;
+        std::array<Interval, 3> box = looked.moment->box;
         for (std::size_t k = 0; k < 3 * 10; ++k) {
             Interval& side = box[k % 3];
             std::array halves{Interval(side.lo, mid(side)), Interval(mid(side), side.hi)};
@@ -171,16 +157,17 @@ private:
     Line random_line(const Looked& looked, bool is_aimed) {
         Line line{&looked};
         line.from = is_aimed ? aimed_place(looked)
-                             : std::array{in(looked.box[0]), in(looked.box[1]), in(looked.box[2])};
+                             : std::array{in(looked.moment->box[0]), in(looked.moment->box[1]),
+                                          in(looked.moment->box[2])};
         double begin = -HUGE_VAL, end = HUGE_VAL, square = 0;
         for (std::size_t k = 0; k < 3; ++k) {
-            line.along[k] = in(looked.box[k]) - line.from[k];
+            line.along[k] = in(looked.moment->box[k]) - line.from[k];
             square += line.along[k] * line.along[k];
         }
         for (std::size_t k = 0; k < 3; ++k) {
             line.along[k] /= std::sqrt(square);
-            const double a = (looked.box[k].lo - line.from[k]) / line.along[k];
-            const double b = (looked.box[k].hi - line.from[k]) / line.along[k];
+            const double a = (looked.moment->box[k].lo - line.from[k]) / line.along[k];
+            const double b = (looked.moment->box[k].hi - line.from[k]) / line.along[k];
             begin = std::max(begin, std::min(a, b));
             end = std::min(end, std::max(a, b));
         }
@@ -193,10 +180,10 @@ private:
         std::array<std::vector<double>, 3> places;
         for (std::size_t axis = 0; axis < 3; ++axis)
             for (std::size_t k = 0; k < count; ++k)
-                places[axis].push_back(line.coordinate(axis, double(k) * line.apart()));
+                places[axis].push_back(line.coordinate(axis, double(k) * line.looked->apart));
         std::vector<double> values(count);
         const std::array<std::span<const double>, 3> inputs{places[0], places[1], places[2]};
-        value_.points(line.looked->numbers, inputs, std::array{std::span<double>(values)});
+        value_.points(line.looked->moment->numbers, inputs, std::array{std::span<double>(values)});
         double begun = -HUGE_VAL; // where F has changed its sign last
         std::size_t last = 0;     // sample with a sign
         for (std::size_t k = 0; k < count; ++k) {
@@ -204,9 +191,9 @@ private:
             if (std::isnan(values[k])) {
                 begun = -HUGE_VAL;
             } else if ((values[last] < 0 && values[k] > 0) || (values[last] > 0 && values[k] < 0)) {
-                const double end = double(k) * line.apart();
+                const double end = double(k) * line.looked->apart;
                 if (end - begun < line.looked->length) bumps_.push_back({&line, begun, end});
-                begun = double(last) * line.apart();
+                begun = double(last) * line.looked->apart;
             }
             last = k;
         }
@@ -226,7 +213,7 @@ private:
             inputs[3 + k] = line.along[k];
         }
         std::array<double, 2> f{};
-        directional_.point(line.looked->numbers, inputs, f);
+        directional_.point(line.looked->moment->numbers, inputs, f);
         return {t, f[0], std::isnan(f[1]) ? 0 : f[1]}; // as hermite does
     }
 
@@ -262,13 +249,15 @@ private:
         if (begin - before < 0 || begin + length > bump.line->length) return false;
         const Sample low = sample(*bump.line, begin);
         const bool is_first = before == 0;
+        // Behind a kink a step has no third sample, either, and any length.
+        const bool is_newtons = is_first && is_smooth_;
         const double end =
-            begin + (is_first ? std::min(length, std::abs(low.f / low.slope)) : length);
+            begin + (is_newtons ? std::min(length, std::abs(low.f / low.slope)) : length);
         if (!(end >= bump.end)) return false;
         std::optional<Sample> third;
         if (!is_first) third = sample(*bump.line, begin - before);
         return passes(low, sample(*bump.line, end), third, safety_) &&
-               is_judged_by_cubics(*bump.line, begin, end);
+               is_judged_by_cubics(*bump.line, begin - before, end);
     }
 
     const Field& field_;
@@ -286,13 +275,13 @@ private:
 } // namespace
 
 CubicSteps cubic_steps(const Field& field, const Smoothness& smoothness,
-                       std::span<const Region> regions, double length, double safety,
+                       std::span<const Moment> moments, double length, double safety,
                        double operations) {
-    if (regions.empty() || (smoothness.degree && *smoothness.degree <= plain_degree)) return {};
+    if (moments.empty() || (smoothness.degree && *smoothness.degree <= plain_degree)) return {};
     // A line has a hundred samples and more.
-    const std::vector<int> counts = regions.front().bindings.counts();
+    const std::vector<int> counts = moments.front().numbers.counts();
     if (100 * cost(field.value, counts).operations > operations) return {};
-    Trial trial(field, smoothness, regions, length, safety, operations);
+    Trial trial(field, smoothness, moments, length, safety, operations);
     CubicSteps found;
     found.longest = trial.longest(false);
     found.first = std::min(found.longest, trial.longest(true));

@@ -6,6 +6,7 @@
 // nothing.
 #pragma once
 
+#include <array>
 #include <span>
 
 #include "formula/smoothness.h"
@@ -20,11 +21,17 @@ struct CubicSteps {
     bool operator==(const CubicSteps&) const = default;
 };
 
-// Looks at lines in some of the regions, for cubics whose longest step is `length` in the first of
-// them, in proportion in the others, and which take their measured errors `safety` times. Takes
-// some times `operations`; of a formula of which a line takes more, it tells nothing.
+// The values of a formula's names at a time, and the box in which it is drawn then.
+struct Moment {
+    Bindings<double> numbers;
+    std::array<Interval, 3> box;
+};
+
+// Looks at lines in each of the moments, for cubics whose longest step is `length` in the first of
+// them, in proportion to the box in the others, and which take their measured errors `safety`
+// times. Takes some times `operations`; of a formula of which a line takes more, it tells nothing.
 CubicSteps cubic_steps(const Field& field, const Smoothness& smoothness,
-                       std::span<const Region> regions, double length, double safety = 32,
+                       std::span<const Moment> moments, double length, double safety = 32,
                        double operations = 1e7);
 
 } // namespace isomotion::formula

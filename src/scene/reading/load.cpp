@@ -17,6 +17,7 @@
 #include "base/nearest_name.h"
 #include "base/printable.h"
 #include "formula/graph/degree.h"
+#include "scene/cubic_steps.h"
 #include "scene/data_folder.h"
 #include "scene/elements_at_a_place.h"
 #include "scene/found_bounds.h"
@@ -327,11 +328,8 @@ Scene read_document_scene(toml::table& root, const fs::path& file, const base::C
     scene.value_places = std::make_shared<const ValuePlaces>(tracks.stated());
     if (reading != Reading::whole) return scene;
     Isolation& isolation = scene.isolation;
-    const std::vector<formula::Region> looked_at = regions(scene, first);
-    scene.surface.smoothness = smoothness(*scene.surface.field, looked_at);
-    scene.surface.cubic_steps =
-        cubic_steps(*scene.surface.field, scene.surface.smoothness, looked_at,
-                    0.125 * first.bounds.radius, isolation.safety);
+    scene.surface.smoothness = smoothness(*scene.surface.field, regions(scene, first));
+    scene.surface.cubic_steps = cubic_steps(scene, first);
     if (isolation.method == Method::hermite && !isolation.certify)
         scene.surface.elements_at_a_place = elements_at_a_place(scene);
     if (!given.step) isolation.step = first.bounds.radius / 100;

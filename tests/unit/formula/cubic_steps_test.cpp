@@ -15,10 +15,10 @@ CubicSteps steps_of(const std::string& text, double radius = 1.5, double paramet
     vocabulary.parameters = {"p"};
     const Field field = make_field(text, vocabulary);
     const Interval side{-radius, radius};
-    Region region{{}, {side, side, side}};
-    region.bindings.parameters = {Interval(parameter)};
-    const std::span<const Region> regions{&region, 1};
-    return cubic_steps(field, smoothness(field, regions), regions, radius / 8, 32, operations);
+    const Region region{{{Interval(parameter)}, {}}, {side, side, side}};
+    const Moment moment{{{parameter}, {}}, region.box};
+    return cubic_steps(field, smoothness(field, {&region, 1}), {&moment, 1}, radius / 8, 32,
+                       operations);
 }
 
 // Nothing to hide: round bodies, and waves that are longer than any step.
@@ -59,7 +59,10 @@ TEST(CubicSteps, FollowParameters) {
 // Bounds judge kinks, cubics what lies between them.
 TEST(CubicSteps, OfKinksAreThoseOfTheirParts) {
     EXPECT_EQ(steps_of("abs(abs(x^2 + y^2 + z^2 - 1) - 0.1) - 0.01"), CubicSteps{});
-    EXPECT_LT(steps_of("sin(40*x)*sin(40*y)*sin(40*z) - 0.6 + 0.01*abs(x + 1.4)").longest, 1);
+    for (const char* text : {"sin(40*x)*sin(40*y)*sin(40*z) - 0.6 + 0.01*abs(x + 1.4)",
+                             "max(sin(40*x)*sin(40*y)*sin(40*z) - 0.9, z - 0.7)",
+                             "abs(sin(20*x)) + abs(sin(20*y)) + abs(sin(20*z)) - 2.9"})
+        EXPECT_LT(steps_of(text).first, 0.5) << text;
 }
 
 TEST(CubicSteps, OfDearFormulasAreNotLookedFor) {
