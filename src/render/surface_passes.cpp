@@ -42,8 +42,8 @@ DrawLimits limits_of_a_draw(const gpu::ContextInfo& info, const scene::Scene& sc
 bool spreads_small_pictures(const gpu::ContextInfo& info, const scene::Scene& scene,
                             const synthesis::Passes& passes) {
     return info.software && passes.stage == synthesis::Stage::fragment &&
-           !synthesis::is_among(scene) && !scene.isolation.certify && !passes.has(Role::glass) &&
-           !passes.has(Role::motion) &&
+           !synthesis::is_among(scene) && !scene.isolation.certify &&
+           !passes.has(synthesis::Role::glass) && !passes.has(synthesis::Role::motion) &&
            std::ranges::all_of(passes.beams, [](const synthesis::BeamLevel& level) {
                return level.block == Blocks::side;
            });
