@@ -37,8 +37,8 @@ DrawLimits limits_of_a_draw(const gpu::ContextInfo& info, const scene::Scene& sc
             .threads = keeps_tiles ? 1 : std::max(1, info.threads)};
 }
 
-// Whether all that is drawn of a tile follows the table's corner(), and the same pixels come from
-// elsewhere: lists of elements are made for blocks of up to 64 pixels, which would be others.
+// Whether all that is drawn of a tile follows the table's corner(), and pixels are the same there.
+// Lists of elements are made for blocks of up to 64 pixels, which would be others.
 bool spreads_small_pictures(const gpu::ContextInfo& info, const scene::Scene& scene,
                             const synthesis::Passes& passes) {
     return info.software && passes.stage == synthesis::Stage::fragment &&
