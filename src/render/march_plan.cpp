@@ -38,7 +38,7 @@ int shared_tile(int tile, int most, const DrawLimits& limits, const Work& work) 
 
 // Small pictures lie in two squares along each side.
 int length_of_target(bool spreads, int tile) {
-    return spreads ? std::max(tile, 2 * side_of_a_thread) : tile;
+    return spreads ? std::max(tile, side_for_small_pictures) : tile;
 }
 
 } // namespace

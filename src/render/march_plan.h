@@ -50,6 +50,9 @@ inline constexpr double operations_at_a_point = 2e7;
 MarchPlan plan_march(const formula::Cost& evaluation, int width, int height, int max_tile,
                      const DrawLimits& limits = {});
 
+// Targets that hold small pictures have at least so many pixels a side.
+inline constexpr int side_for_small_pictures = 128;
+
 // Where a picture begins in its targets, in pixels, so that several threads of a software renderer
 // draw it: one of at most 64x64 pixels lies about the corner of four squares of these. Multiples of
 // 8, so that blocks of rays stay the same; 0 along sides that are longer.

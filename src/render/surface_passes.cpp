@@ -41,9 +41,10 @@ DrawLimits limits_of_a_draw(const gpu::ContextInfo& info, const scene::Scene& sc
 // Lists of elements are made for blocks of up to 64 pixels, which would be others.
 bool spreads_small_pictures(const gpu::ContextInfo& info, const scene::Scene& scene,
                             const synthesis::Passes& passes) {
-    return info.software && passes.stage == synthesis::Stage::fragment &&
-           !synthesis::is_among(scene) && !scene.isolation.certify &&
-           !passes.has(synthesis::Role::glass) && !passes.has(synthesis::Role::motion) &&
+    return info.software && info.max_texture_size >= side_for_small_pictures &&
+           passes.stage == synthesis::Stage::fragment && !synthesis::is_among(scene) &&
+           !scene.isolation.certify && !passes.has(synthesis::Role::glass) &&
+           !passes.has(synthesis::Role::motion) &&
            std::ranges::all_of(passes.beams, [](const synthesis::BeamLevel& level) {
                return level.block == Blocks::side;
            });

@@ -9,9 +9,10 @@
 namespace isomotion::scene {
 namespace {
 
-constexpr int most_even = 9, most_sampled = 1000; // frames
-constexpr int most_extreme = 8;                   // parameters of which extremes are looked for
-constexpr double operations_of_frames = 3e6;      // of tracks and arrays, at all frames
+// Frames: evenly apart, where arrays move, and those among which extremes are looked for.
+constexpr int most_even = 9, most_of_arrays = 3, most_sampled = 1000;
+constexpr int most_extreme = 8;              // parameters of which extremes are looked for
+constexpr double operations_of_frames = 3e6; // of tracks and arrays, at all frames
 
 std::set<int> even_frames(const Scene& scene, int count) {
     std::set<int> frames;
@@ -55,9 +56,9 @@ std::set<int> telling_frames(const Scene& scene) {
         return std::clamp(int(std::min(operations_of_frames / operations, double(most))), 1,
                           scene.timeline.frames);
     };
-    std::set<int> frames = even_frames(scene, affordable(most_even));
-    if (moves.arrays().empty())
-        frames.merge(extreme_frames(scene, even_frames(scene, affordable(most_sampled))));
+    const bool is_plain = moves.arrays().empty();
+    std::set<int> frames = even_frames(scene, affordable(is_plain ? most_even : most_of_arrays));
+    if (is_plain) frames.merge(extreme_frames(scene, even_frames(scene, affordable(most_sampled))));
     return frames;
 }
 
