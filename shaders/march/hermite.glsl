@@ -96,7 +96,8 @@ RayState advance(RayState s, Ray ray, float t, vec2 f) {
     bool closes_in = isolated || refines;
     bool moves = starts || free || refines && same_side;
 
-    float step = starts ? min(abs(t - newton), thresholds.x) : h * (min(middle, abs(f.x)) > 8.0 * error ? 2.5 : 1.2);
+    float growth = min(middle, abs(f.x)) > 8.0 * error ? 2.5 : 1.2;
+    float step = starts ? min(abs(t - newton), thresholds.x) : growth * h;
 #ifdef ROUGH
     // Behind a break, whose length `other` holds, more may follow. Far from 0 steps grow fast.
     if (starts && s.other.x > 0.0) step = min(step, 8.0 * s.other.x);

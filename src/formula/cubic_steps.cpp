@@ -24,6 +24,7 @@ constexpr double part_of_errors = 0.25;
 // Polynomials turn too seldom on a ray to hide a bump from three samples.
 constexpr int plain_degree = 12;
 
+// A moment, and how finely its lines are sampled.
 struct Looked {
     const Moment* moment;
     Bindings<Interval> bindings; // the same values
@@ -121,8 +122,8 @@ public:
         keep_bumps(std::size_t(0.25 * operations / (steps_over_a_bump * step)));
     }
 
-    // The longest part that steps over no bump, nor does any shorter one: where there are kinks,
-    // long steps are none of cubics.
+    // The longest part that steps over no bump, where no shorter one does either. Bounds judge
+    // steps over kinks, so that a formula with kinks may fail at shorter parts alone.
     double longest(bool is_first) {
         double found = 1;
         for (double part = 1; part > shortest && (part == found || !is_smooth_); part *= 0.5)

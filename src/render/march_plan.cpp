@@ -23,7 +23,7 @@ double operations_per_draw_at(double operations_a_second) {
 
 namespace {
 
-// Of a square of pixels that a software renderer gives to one of its threads.
+// Pixels along the side of a square that a software renderer gives to one of its threads.
 constexpr int side_of_a_thread = 64;
 
 // The tile grown until it has enough squares for all threads.
@@ -42,6 +42,11 @@ int length_of_target(bool spreads, int tile) {
 }
 
 } // namespace
+
+glm::ivec2 MarchPlan::corner_of(int width, int height) const {
+    return spreads_small_pictures && holds(width, height) ? corner_of_picture(width, height)
+                                                          : glm::ivec2(0);
+}
 
 int MarchPlan::target_width() const { return length_of_target(spreads_small_pictures, tile_width); }
 

@@ -20,7 +20,12 @@ struct MarchPlan {
     // Whether small pictures begin at corner_of_picture().
     bool spreads_small_pictures = false;
 
-    // Of targets that hold a tile.
+    // Whether a picture of that size is one tile.
+    bool holds(int width, int height) const { return width <= tile_width && height <= tile_height; }
+    // Where a picture of that size begins in its targets.
+    glm::ivec2 corner_of(int width, int height) const;
+
+    // The size of targets that hold a tile.
     int target_width() const;
     int target_height() const;
 };

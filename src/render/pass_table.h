@@ -66,6 +66,10 @@ public:
     // Where tiles begin in their targets, from now on: the passes below are drawn from there.
     void begin_tiles_at(glm::ivec2 corner) { corner_ = corner; }
     glm::ivec2 corner() const { return corner_; }
+    // Where a tile lies in its targets.
+    gpu::Rectangle in_targets(const gpu::Rectangle& tile) const {
+        return {corner_.x, corner_.y, tile.width, tile.height};
+    }
 
     // Runs a fragment pass over a tile in the bound target, or in `target`. `tile` is the place of
     // that area in the picture.

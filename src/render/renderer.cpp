@@ -188,27 +188,12 @@ struct Renderer::Parts {
 
     void upload(const PictureInputs& inputs) {
         done = 0;
-        table.begin_tiles_at(corner());
+        table.begin_tiles_at(plan.march.corner_of(options.width, options.height));
         own.upload(inputs, options.width, options.height);
         if (environment) table.bind("environment_map", *environment);
         if (environment_levels) table.bind("environment_levels", *environment_levels);
         for (std::size_t k = 1; k < surfaces.size(); ++k)
             surfaces[k]->upload(inputs.others[k - 1], options.width, options.height);
-    }
-
-    // Where pictures begin in targets.
-    glm::ivec2 corner() const {
-        if (!plan.march.spreads_small_pictures || !is_one_tile()) return glm::ivec2(0);
-        return corner_of_picture(options.width, options.height);
-    }
-
-    bool is_one_tile() const {
-        return options.width <= plan.march.tile_width && options.height <= plan.march.tile_height;
-    }
-
-    // Where a tile lies in targets.
-    gpu::Rectangle in_targets(const gpu::Rectangle& tile) const {
-        return {table.corner().x, table.corner().y, tile.width, tile.height};
     }
 
     // Inputs must be for pictures of this size.
@@ -234,7 +219,7 @@ struct Renderer::Parts {
                 const gpu::Target* rays = draw_tile(inputs, tile, picture);
                 fill_counts(tile, picture.frame);
                 if (const auto at = endings_in(inputs)) {
-                    const gpu::Rectangle area = in_targets(tile);
+                    const gpu::Rectangle area = table.in_targets(tile);
                     take_endings(inputs, tile,
                                  result.read(*at, area.x, area.y, area.width, area.height).data(),
                                  picture);
@@ -279,7 +264,7 @@ struct Renderer::Parts {
         const bool is_box = scene.surface.bounds.shape == scene::Bounds::Shape::box;
         const bool by_beams = own.beams && passes.beams.back().block == Blocks::side;
         fused->draw(table, tile, plan, inputs.background(),
-                    by_beams ? own.beams->blocks(in_targets(tile), reads_at_once())
+                    by_beams ? own.beams->blocks(table.in_targets(tile), reads_at_once())
                              : blocks_in_bounds(inputs.eye.frame, is_box, tile));
     }
 
@@ -289,7 +274,7 @@ struct Renderer::Parts {
                                  Picture& picture) {
         if (fused_surfaces) {
             timed([&] { fused_surfaces->draw(inputs, tile, picture.passes); });
-            record.read(result, 1, in_targets(tile));
+            record.read(result, 1, table.in_targets(tile));
             if (take_ended(tile, picture)) return nullptr;
             // Some ray takes longer than a draw may; others of this scene will too.
             fused_surfaces.reset();
@@ -299,14 +284,14 @@ struct Renderer::Parts {
         if (several) {
             several->draw(inputs, tile, result, environment ? &*environment : nullptr,
                           picture.passes);
-            record.read(result, 1, in_targets(tile));
+            record.read(result, 1, table.in_targets(tile));
             add(record.tally(), picture);
             return nullptr;
         }
         if (one_draw) {
             timed([&] { draw_fused(inputs, tile); });
             ++picture.passes;
-            record.read(result, 1, in_targets(tile));
+            record.read(result, 1, table.in_targets(tile));
             if (take_ended(tile, picture)) return nullptr;
             // Some ray takes longer than a draw may; others of this scene will too.
             one_draw = false;
@@ -318,7 +303,7 @@ struct Renderer::Parts {
         if (secondary) secondary->trace(table, own.marcher, tile, result, picture.passes);
         table.bind_numbered("state_texture", rays);
         table.draw(table.program(Role::shade), tile, result);
-        record.read(result, 1, in_targets(tile));
+        record.read(result, 1, table.in_targets(tile));
         add(record.tally(), picture);
         return &rays;
     }
@@ -422,7 +407,9 @@ struct Renderer::Parts {
     // A picture that takes one draw may be asked for before the last one is taken: it comes by way
     // of the driver's pixel buffers, and the next is drawn meanwhile. Software renderers, which
     // draw with the processors that read back, gain and lose nothing by it.
-    bool overlaps() const { return one_draw && !proofs && is_one_tile(); }
+    bool overlaps() const {
+        return one_draw && !proofs && plan.march.holds(options.width, options.height);
+    }
 
     gpu::Rectangle whole() const { return {0, 0, options.width, options.height}; }
 
@@ -434,7 +421,7 @@ struct Renderer::Parts {
         gpu::Transfer pixels = flights.transfer(bytes_of_a_tile());
         std::size_t end = 0;
         for (int k = 0; k < result.attachments(); ++k)
-            end = pixels.ask(result, k, in_targets(whole()), end);
+            end = pixels.ask(result, k, table.in_targets(whole()), end);
         pixels.send();
         flights.add({std::move(inputs), std::move(pixels), {}, {}});
     }

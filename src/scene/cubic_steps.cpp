@@ -9,7 +9,8 @@
 namespace isomotion::scene {
 namespace {
 
-// Frames: evenly apart, where arrays move, and those among which extremes are looked for.
+// The most frames that are looked at evenly apart; the same where arrays move; and the most among
+// which the extremes of parameters are looked for.
 constexpr int most_even = 9, most_of_arrays = 3, most_sampled = 1000;
 constexpr int most_extreme = 8;              // parameters of which extremes are looked for
 constexpr double operations_of_frames = 3e6; // of tracks and arrays, at all frames
@@ -22,7 +23,7 @@ std::set<int> even_frames(const Scene& scene, int count) {
     return frames;
 }
 
-// Those at which a parameter is least or largest.
+// The frames at which a parameter is least or largest.
 std::set<int> extreme_frames(const Scene& scene, const std::set<int>& among) {
     struct Extreme {
         double value;
