@@ -544,25 +544,6 @@ void Renderer::resize(int width, int height) {
     p.planes = Planes(width, height);
 }
 
-namespace {
-
-// The settings of one surface after those of the first one have changed. Lengths and values of each
-// surface's own change by the same factor; what has not changed stays.
-scene::Isolation changed_alike(scene::Isolation other, const scene::Isolation& before,
-                               const scene::Isolation& now) {
-    for (auto number : {&scene::Isolation::step, &scene::Isolation::near, &scene::Isolation::far,
-                        &scene::Isolation::horizon}) {
-        if (now.*number != before.*number && before.*number != 0)
-            other.*number *= now.*number / before.*number;
-    }
-    if (now.bisections != before.bisections) other.bisections = now.bisections;
-    if (now.safety != before.safety) other.safety = now.safety;
-    if (now.limit != before.limit) other.limit = now.limit;
-    return other;
-}
-
-} // namespace
-
 void Renderer::adjust(const scene::Isolation& settings) {
     scene::Isolation& current = parts_->own.scene.isolation;
     if (settings.method != current.method || settings.beam != current.beam ||
@@ -571,7 +552,7 @@ void Renderer::adjust(const scene::Isolation& settings) {
     }
     for (std::size_t k = 1; k < parts_->surfaces.size(); ++k) {
         scene::Isolation& other = parts_->surfaces[k]->scene.isolation;
-        other = changed_alike(other, current, settings);
+        other = scene::changed_alike(other, current, settings);
     }
     current = settings;
 }
@@ -580,7 +561,7 @@ bool Renderer::needs_motion() const { return parts_->moved.has_value(); }
 
 void Renderer::keep_beams(bool keep) {
     const Parts& p = *parts_;
-    if (p.plan.march.tile_width < p.options.width || p.plan.march.tile_height < p.options.height) {
+    if (!p.plan.march.holds(p.options.width, p.options.height)) {
         throw std::logic_error("beams are kept of one tile, and the picture has several");
     }
     for (const auto& surface : parts_->surfaces) surface->keeps_beams = keep && surface->beams;

@@ -93,4 +93,15 @@ void expect_one_surface(const Scene& scene, const std::string& who) {
                                  scene.among.count, fmt::join(surface_names(scene), ", "), who));
 }
 
+Isolation changed_alike(Isolation other, const Isolation& before, const Isolation& now) {
+    for (auto number : {&Isolation::step, &Isolation::near, &Isolation::far, &Isolation::horizon}) {
+        if (now.*number != before.*number && before.*number != 0)
+            other.*number *= now.*number / before.*number;
+    }
+    if (now.bisections != before.bisections) other.bisections = now.bisections;
+    if (now.safety != before.safety) other.safety = now.safety;
+    if (now.limit != before.limit) other.limit = now.limit;
+    return other;
+}
+
 } // namespace isomotion::scene

@@ -32,4 +32,8 @@ std::string place_of(const Scene& surface, const std::string& name);
 // Throws SceneError if there are several surfaces. `who` needs a single one: "a page".
 void expect_one_surface(const Scene& scene, const std::string& who);
 
+// The settings of one surface after those of the first one have changed from `before` to `now`.
+// Lengths and values of each surface's own change by the same factor; what has not changed stays.
+Isolation changed_alike(Isolation other, const Isolation& before, const Isolation& now);
+
 } // namespace isomotion::scene
