@@ -8,48 +8,30 @@
 //
 // `thresholds.x` is the longest first step, whose error nothing measures.
 //
-// A turn has no branches, since software renderers and GPUs alike execute both sides of most.
+// Software renderers execute both sides of a branch, so a turn has none there. Graphics cards skip
+// what none of a group's rays needs, and its rays mostly begin, step or close in together: with
+// BRANCHES each of the three goes its own way.
+#ifdef BRANCHES
+#define WHERE(condition) if (condition)
+#else
+#define WHERE(condition)
+#endif
 
 float next_sample(RayState s) {
     return s.high;
 }
 
-// Returns the zero of F as a part of h, in (0, 1), if t is a cubic of F; f0 and f1 differ in sign.
-float inverse_cubic(vec2 f0, vec2 f1, float h) {
-    float rise = f1.x - f0.x;
-    float u = -f0.x / rise, v = 1.0 - u;
-    float x = u * u * (3.0 - 2.0 * u) + u * v * (rise / h) * (v / f0.y - u / f1.y);
-    return x > 0.0 && x < 1.0 ? x : clamp(u, 0.01, 0.99);
-}
-
-RayState advance(RayState s, Ray ray, float t, vec2 f) {
-    float safety = cubics.x, finest = cubics.w,
-          longest = clamp(0.25 * (ray.t_far - ray.t_near), finest, cubics.y);
-    s.evaluations += 1;
-    if (s.phase == PHASE_GRADIENT) return take_derivative(s, f);
-#ifdef SETTLES
-    if (s.phase == PHASE_NEWTON) return step_by_newton(s, ray, t, f);
-#endif
-    bool starts = s.phase == PHASE_START, refines = s.phase == PHASE_REFINE;
+// Advances a ray by its sample at t: F and dF/dt are f. The ray `starts` there, or `refines` a root,
+// or neither: constants, where each has its own way, leave out what the others take.
+RayState advance_by_cubic(RayState s, Ray ray, float t, vec2 f, float longest, bool starts,
+                          bool refines) {
+    float safety = cubics.x, finest = cubics.w;
     bool nan = im_is_nan(f.x);
-#ifdef ROUGH
-    if (judge_by_intervals(s, ray, t, f, longest)) return s;
     RayState before = s;
-#endif
     // A NaN slope (at a kink, say) counts as 0.
     if (im_is_nan(f.y)) f.y = 0.0;
     float newton = t - f.x / f.y;
-
-    // The interval in which F changes its sign, if it does: on one side of the sample or the other.
     bool same_side = (f.x < 0.0) == (s.f_low.x < 0.0);
-    bool beyond = refines && same_side;
-    float begins = beyond ? t : s.low, ends = refines && same_side ? s.other.x : t;
-    vec2 first = beyond ? f : s.f_low, last = beyond ? s.other.yz : f;
-    float part = inverse_cubic(first, last, ends - begins);
-    // Halves the interval now and then, so that kinks and noise in slopes cost little.
-    float halfway = begins + 0.5 * (ends - begins);
-    float between = (s.refinements & 3) == 2 ? halfway : begins + part * (ends - begins);
-    between = between > begins && between < ends ? between : halfway;
 
     // The cubic f0 + y (m0 + y (c2 + (y - h) c3)) from y = 0 to h.
     float f0 = s.f_low.x, m0 = s.f_low.y;
@@ -80,7 +62,7 @@ RayState advance(RayState s, Ray ray, float t, vec2 f) {
     float middle = upright * (0.5 * (f0 + f.x) + 0.125 * h * (m0 - f.y));
 
     bool is_finest = h <= finest;
-    bool free = same_side && clear && middle > error && !refines;
+    bool free = same_side && clear && middle > error && !refines && !starts;
     bool fits = error < 0.5 * max(abs(f0), abs(f.x));
     bool isolated =
         !same_side && !refines && !starts && (is_finest || (clear || !dips) && fits);
@@ -95,6 +77,18 @@ RayState advance(RayState s, Ray ray, float t, vec2 f) {
 #endif
     bool closes_in = isolated || refines;
     bool moves = starts || free || refines && same_side;
+
+    // The interval in which F changes its sign, if it does: on one side of the sample or the other.
+    bool beyond = refines && same_side;
+    float begins = beyond ? t : s.low, ends = beyond ? s.other.x : t;
+    vec2 first = beyond ? f : s.f_low, last = beyond ? s.other.yz : f;
+    float halfway = begins + 0.5 * (ends - begins), between = halfway;
+    WHERE (closes_in) {
+        float part = inverse_cubic(first, last, ends - begins);
+        // Halves the interval now and then, so that kinks and noise in slopes cost little.
+        between = (s.refinements & 3) == 2 ? halfway : begins + part * (ends - begins);
+        between = between > begins && between < ends ? between : halfway;
+    }
 
     float growth = min(middle, abs(f.x)) > 8.0 * error ? 2.5 : 1.2;
     float step = starts ? min(abs(t - newton), thresholds.x) : growth * h;
@@ -140,4 +134,24 @@ RayState advance(RayState s, Ray ray, float t, vec2 f) {
     bool stands = !(s.high > s.low) || s.evaluations >= int(limits.y);
     if (stands) return finish(s, VERDICT_STEP_LIMIT);
     return s;
+}
+
+RayState advance(RayState s, Ray ray, float t, vec2 f) {
+    float longest = clamp(0.25 * (ray.t_far - ray.t_near), cubics.w, cubics.y);
+    s.evaluations += 1;
+    if (s.phase == PHASE_GRADIENT) return take_derivative(s, f);
+#ifdef SETTLES
+    if (s.phase == PHASE_NEWTON) return step_by_newton(s, ray, t, f);
+#endif
+#ifdef ROUGH
+    if (judge_by_intervals(s, ray, t, f, longest)) return s;
+#endif
+#ifdef BRANCHES
+    if (s.phase == PHASE_START) return advance_by_cubic(s, ray, t, f, longest, true, false);
+    if (s.phase == PHASE_REFINE) return advance_by_cubic(s, ray, t, f, longest, false, true);
+    return advance_by_cubic(s, ray, t, f, longest, false, false);
+#else
+    bool starts = s.phase == PHASE_START, refines = s.phase == PHASE_REFINE;
+    return advance_by_cubic(s, ray, t, f, longest, starts, refines);
+#endif
 }

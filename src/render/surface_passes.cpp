@@ -60,6 +60,7 @@ PlannedSurface::PlannedSurface(scene::Scene surface, const RenderOptions& option
     : scene(std::move(surface))
     , passes(synthesis::assemble(scene, options.channels,
                                  {.stage = choose_stage(options.stage, info),
+                                  .branches = options.branches.value_or(!info.software),
                                   .writes_buffers = info.has(4, 3),
                                   .finest_beam = options.finest_beam,
                                   .tells_endings = options.tells_endings,

@@ -46,6 +46,7 @@ Passes assemble(const scene::Scene& scene, const std::vector<Channel>& channels,
     const bool on_web = drawing.platform == Platform::webgl;
     Passes passes;
     passes.stage = stage;
+    passes.branches = drawing.branches;
     // A wall's normal is no slope along a ray.
     passes.march_takes_gradient =
         is_long(scene.surface.field->gradient) && !scene.surface.jumps_are_walls;

@@ -28,6 +28,7 @@ enum class Platform { opengl, webgl };
 struct Drawing {
     Stage stage = Stage::fragment;
     Platform platform = Platform::opengl;
+    bool branches = false;      // the processor skips what no ray of a group needs: graphics cards
     bool writes_buffers = true; // shaders may (OpenGL 4.3), which the lists of beams need
     int finest_beam =
         usual_beam;             // or 1, for beams of single pixels, which cost more than they save

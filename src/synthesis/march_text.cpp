@@ -68,6 +68,7 @@ void add_turn(ShaderText& text, const scene::Scene& scene, const Passes& passes)
         text.file(is_rough ? "march/rough.glsl" : "march/touches.glsl");
     }
     if (is_rough) text.define("ROUGH", 1);
+    if (passes.branches && method.steps == scene::Steps::cubics) text.define("BRANCHES", 1);
     if (judges_touches(scene)) {
         text.file("march/touch_by_bounds.glsl");
         text.define("BOUNDED_TOUCHES", 1);

@@ -122,6 +122,7 @@ struct Passes : FieldStorage {
     bool draws_squares = false;
     int light_beams = 0;           // a bit for each light whose shadow rays use its own beams
     Stage stage = Stage::fragment; // of rays and beams; other passes are fragment shaders
+    bool branches = false;         // steps of rays may, since the processor skips what none takes
     int state_textures = 2;        // for a ray's state between passes
     // The functions of the field that a step of the march evaluates. For long formulas the march
     // also samples the gradient at the root, which otherwise the shade pass does.
