@@ -2,6 +2,6 @@
 float step_size(vec2 f) {
     float base = thresholds.x, near = thresholds.y, far = thresholds.z, horizon = thresholds.w;
     float value = abs(f.x);
-    if (value < near) return abs(f.y) < horizon ? 0.25 * base : 0.5 * base;
-    return value > far ? 2.0 * base : base;
+    float beside = abs(f.y) < horizon ? 0.25 * base : 0.5 * base;
+    return value < near ? beside : value > far ? 2.0 * base : base;
 }

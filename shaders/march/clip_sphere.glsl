@@ -5,7 +5,6 @@ vec2 clip_to_bounds(vec3 anchor, vec3 direction) {
     // Foot of the perpendicular: its length keeps its digits where b^2 - 4ac cancels.
     vec3 foot = from_centre + middle * direction;
     float square = bounds_min.w * bounds_min.w - dot(foot, foot);
-    if (square < 0.0) return vec2(1.0, 0.0);
-    float half_chord = sqrt(square);
-    return vec2(middle - half_chord, middle + half_chord);
+    float half_chord = sqrt(max(square, 0.0));
+    return square < 0.0 ? vec2(1.0, 0.0) : vec2(middle - half_chord, middle + half_chord);
 }

@@ -10,7 +10,7 @@ uniform float element_budget;
 RayState begin(Ray ray) {
     RayState s = state_at(ray.t_near);
     bool empty = !(ray.t_near <= ray.t_far);
-    if (empty) return finish(s, VERDICT_MISS);
+    if (empty) s = finish(s, VERDICT_MISS);
     return s;
 }
 

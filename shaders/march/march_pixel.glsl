@@ -3,12 +3,21 @@
 uniform bool first_pass;
 
 void march_pixel() {
-    Ray ray = pixel_ray();
-    enter_beam(ray);
-    RayState s = begin(ray);
-#ifdef SETTLES
-    s = begin_in_slab(ray, s);
+    RayState s = finish(state_at(0.0), VERDICT_MISS);
+    bool meets_surface = true;
+#if defined(SETTLES) && defined(BRANCHES)
+    vec4 part = part_of_beam(beam_texel(ivec2(pixel_centre) / BLOCK, SQUARE_BITS));
+    meets_surface = part.x < part.y;
 #endif
-    if (!first_pass) s = load_state();
-    store_state(march(ray, s));
+    if (meets_surface) {
+        Ray ray = pixel_ray();
+        enter_beam(ray);
+        s = begin(ray);
+#ifdef SETTLES
+        s = begin_in_slab(ray, s);
+#endif
+        if (!first_pass) s = load_state();
+        s = march(ray, s);
+    }
+    store_state(s);
 }

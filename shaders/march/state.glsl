@@ -19,7 +19,7 @@ struct RayState {
     int evaluations;
     int refinements;   // number done; while marching, see rough.glsl
 #ifdef THREE_SAMPLES
-    vec3 other;        // t, F and dF/dt of one more sample, see hermite.glsl
+    vec3 other;        // t, F and dF/dt of one more sample, see cubic.glsl
     float open_end;    // end of a piece that bounds left open, see rough.glsl; otherwise at most
                        // low; in PHASE_SOLVE, where F may touch 0, see touch_by_bounds.glsl
 #endif

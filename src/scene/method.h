@@ -82,7 +82,7 @@ inline constexpr MethodTraits method_traits[] = {
      Samples::directional,
      3,
      {},
-     {"inverse_cubic", "hermite", "turn_point"},
+     {"cubic", "hermite", "turn_point"},
      "any_hit_turn",
      true},
     {Method::interval,
