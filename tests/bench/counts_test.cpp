@@ -130,6 +130,15 @@ TEST(CountsTable, HasNoStrangers) {
     }
 }
 
+// Cubics ask for bounds of this one only where they take F for 0 without a change of sign.
+TEST(Operations, AreThoseOfASample) {
+    const scene::Scene scene = surface("barth_sextic").scene;
+    const double of_values = operations(scene, scene::Method::amp_sign);
+    EXPECT_GT(of_values, 20);
+    EXPECT_EQ(operations(scene, scene::Method::hermite), of_values);
+    EXPECT_GT(operations(scene, scene::Method::interval), 2 * of_values);
+}
+
 // Surfaces of every kind: nodes, a double line, cancellation, a polynomial of degree 14, none.
 INSTANTIATE_TEST_SUITE_P(Bench, Counts,
                          testing::Values("ding_dong", "cayley", "torus", "steiner", "barth_sextic",

@@ -126,7 +126,10 @@ double operations(const scene::Scene& scene, scene::Method method) {
     const synthesis::Passes passes = synthesis::assemble(with);
     std::vector<int> counts;
     for (const auto& array : passes.arrays) counts.push_back(array.capacity);
-    return synthesis::cost(*scene.surface.field, passes.samples, counts).operations;
+    // Other methods ask for bounds only where a sample leaves doubt.
+    std::vector<synthesis::FieldFunction> of_a_sample = passes.samples;
+    if (scene::traits(method).steps != scene::Steps::bounds) of_a_sample.resize(1);
+    return synthesis::cost(*scene.surface.field, of_a_sample, counts).operations;
 }
 
 double ratio(const Timing& slow, const Timing& fast) {
