@@ -14,6 +14,7 @@
 #include "formula/graph/operations.h"
 #include "page/rules.h"
 #include "player/model/controls.h"
+#include "player/model/held_steps.h"
 #include "player/model/timeline_markers.h"
 #include "render/beam_pass.h"
 #include "render/march_plan.h"
@@ -246,6 +247,10 @@ Json pattern_of(int samples) {
     return all;
 }
 
+Json steps_of(const formula::CubicSteps& steps) {
+    return {{"first", steps.first}, {"longest", steps.longest}};
+}
+
 // What the block Frame holds beside rays: render/uniform_blocks.cpp.
 Json settings_of(const scene::Scene& scene) {
     const scene::Isolation& isolation = scene.isolation;
@@ -259,8 +264,8 @@ Json settings_of(const scene::Scene& scene) {
             {"limit", isolation.limit},
             {"safety", isolation.safety},
             {"cubics", scene::traits(isolation.method).steps == scene::Steps::cubics},
-            {"firstStep", scene.surface.cubic_steps.first},
-            {"longestStep", scene.surface.cubic_steps.longest}};
+            {"steps", steps_of(scene.surface.cubic_steps)},
+            {"heldSteps", steps_of(player::steps_at_slider_ends(scene))}};
 }
 
 // One line of what `isomotion accuracy` measured of the scene's own method and step.

@@ -41,7 +41,7 @@ FrameBlock frame_block(const scene::Scene& scene, const scene::SceneAt& now, int
     block.thresholds = glm::dvec4(isolation.step, scale * isolation.near, scale * isolation.far,
                                   scale * isolation.horizon);
     const double eighth = 0.125 * now.bounds.radius;
-    const formula::CubicSteps& steps = scene.surface.cubic_steps;
+    const formula::CubicSteps& steps = now.cubic_steps;
     if (scene::traits(isolation.method).steps == scene::Steps::cubics)
         block.thresholds = glm::dvec4(steps.first * eighth, 0, 0, 0);
     const double footprint = 2 * glm::length(rays.up) / height;

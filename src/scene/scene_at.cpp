@@ -414,6 +414,7 @@ SceneAt matter_at(const Scene& scene, const Reader& read, const animation::Value
     read.check_range();
     now.bindings = formula::convert<float>(bindings);
     now.bounds = read.bounds();
+    now.cubic_steps = scene.surface.cubic_steps;
     now.placement = read.placement();
     now.material_color = read.color(scene.material.color);
     if (scene.material.paint) now.paint_range = read.range(*scene.material.paint);

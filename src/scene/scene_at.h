@@ -95,6 +95,7 @@ struct SceneAt {
     // The values of the formula's names, rounded to float, so that GPU, CPU and truth use the same.
     formula::Bindings<float> bindings;
     BoundsAt bounds;
+    formula::CubicSteps cubic_steps; // of an eighth of the bounds' radius
     PlacementAt placement;
     CameraAt camera;
     std::vector<LightAt> lights;

@@ -20,7 +20,7 @@ class Look {
     view(frame, fit = 1, moment = 0, surface = 0) {
         const own = this.data.view(frame, moment, surface);
         const held = this.held(frame, moment)?.surfaces[surface].view;
-        const view = { ...own, ...held, ...this.camera, fit };
+        const view = { ...own, ...held, isHeld: held !== undefined, ...this.camera, fit };
         // What was in focus at the target stays so.
         const wasAtTarget = Math.abs(own.focus - distanceOf(own)) <= 1e-9 * own.focus;
         if (wasAtTarget) view.focus = distanceOf(view);

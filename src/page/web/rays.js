@@ -65,6 +65,8 @@ function frameBlock(view, settings, width, height, aim) {
     const spacing = 2 ** -21 * view.radius;
     const finest = (part) => Math.max(part * footprint, spacing);
     const eighth = 0.125 * view.radius;
+    // A slider may make waves shorter than any frame has them.
+    const steps = view.isHeld ? settings.heldSteps : settings.steps;
     return new Float32Array([
         ...rays.origin, 0,
         ...rays.axis, rays.parallel ? 0 : 1,
@@ -73,10 +75,10 @@ function frameBlock(view, settings, width, height, aim) {
         ...(view.box ? [...view.min.map((x) => x - face), 0] : [...view.centre, view.radius + face]),
         ...view.max.map((x) => x + face), 0,
         2 / width, 2 / height, 0, 0,
-        ...(settings.cubics ? [settings.firstStep * eighth, 0, 0, 0]
+        ...(settings.cubics ? [steps.first * eighth, 0, 0, 0]
             : [settings.step, settings.near, settings.far, settings.horizon]),
         settings.bisections, settings.limit, finest(2 ** -13), eighth,
-        settings.safety, Math.min(settings.longestStep * eighth, 0.5 * view.elementRadius), spacing,
+        settings.safety, Math.min(steps.longest * eighth, 0.5 * view.elementRadius), spacing,
         finest(2 ** -10),
     ]);
 }

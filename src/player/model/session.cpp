@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "player/model/camera_override.h"
+#include "player/model/held_steps.h"
 
 namespace isomotion::player {
 namespace {
@@ -35,6 +36,7 @@ void Session::study() {
     for (const scene::Scene& other : scene_->others)
         slider_ranges_.push_back(player::slider_ranges(other));
     key_markers_ = player::key_markers(*scene_);
+    hold();
     set(look_);
 }
 
@@ -50,9 +52,15 @@ void Session::reload(scene::Scene scene, double now) {
 }
 
 void Session::set(const Look& look) {
+    const bool holds_others = look.overrides != look_.overrides;
     look_ = look;
+    if (holds_others) hold();
     ++revision_;
     move();
+}
+
+void Session::hold() {
+    held_ = look_.overrides.empty() ? *scene_ : with_own_steps(apply(*scene_, look_.overrides));
 }
 
 void Session::set_size(glm::ivec2 size) {
@@ -62,7 +70,7 @@ void Session::set_size(glm::ivec2 size) {
 }
 
 void Session::move() {
-    overridden_ = look_.overrides.empty() ? *scene_ : apply(*scene_, look_.overrides);
+    overridden_ = held_;
     if (look_.camera) overridden_ = with_camera(std::move(overridden_), *look_.camera);
     set_size(size_);
 }

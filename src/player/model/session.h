@@ -67,10 +67,12 @@ public:
 
 private:
     void study();
+    void hold();
     void move();
 
     std::shared_ptr<const scene::Scene> scene_;
     Look look_;
+    scene::Scene held_; // with the overrides but the camera's
     scene::Scene overridden_;
     glm::ivec2 size_;
     std::uint64_t revision_ = 1;

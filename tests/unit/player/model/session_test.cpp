@@ -16,6 +16,7 @@ void expect_same(const scene::SceneAt& a, const scene::SceneAt& b) {
     EXPECT_EQ(a.camera, b.camera);
     EXPECT_EQ(a.bindings.parameters, b.bindings.parameters);
     EXPECT_EQ(a.bounds.radius, b.bounds.radius);
+    EXPECT_EQ(a.cubic_steps, b.cubic_steps);
     ASSERT_EQ(a.lights.size(), b.lights.size());
     for (std::size_t k = 0; k < a.lights.size(); ++k) {
         EXPECT_EQ(a.lights[k].direction, b.lights[k].direction);
