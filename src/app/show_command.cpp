@@ -213,7 +213,10 @@ int show(const ShowArguments& arguments) {
         const scene::Scene surface = scene::of_surface(scene, k);
         const std::int64_t pixels = std::int64_t(scene.output.width) * scene.output.height;
         const synthesis::Passes passes =
-            synthesis::assemble(surface, {}, {.stage = stage_of(arguments), .pixels = pixels});
+            synthesis::assemble(surface, {},
+                                {.stage = stage_of(arguments),
+                                 .branches = stage_of(arguments) == synthesis::Stage::compute,
+                                 .pixels = pixels});
         if (!scene.others.empty()) {
             print_result("{}surface   {}: {} of {}\n", lists ? "\n" : "// ##### ",
                          surface.surface.label, k + 1, scene.among.count);

@@ -65,8 +65,7 @@ WebSurface web_surface(scene::Scene scene) {
     WebSurface web;
     scene.isolation.certify = false;
     web.passes = synthesis::assemble(
-        scene, {},
-        {.platform = synthesis::Platform::webgl, .branches = true, .writes_buffers = false});
+        scene, {}, {.platform = synthesis::Platform::webgl, .writes_buffers = false});
     expect_few_elements(scene, web.passes);
     synthesis::check_size(web.passes);
     web.plan = render::plan_scene(scene, web.passes, largest_tile, largest_tile, largest_tile, {});

@@ -16,12 +16,26 @@ function contextOf(canvas) {
     return gl;
 }
 
+// Whether a processor draws, and no graphics card.
+function drawsInSoftware(gl) {
+    const extension = gl.getExtension("WEBGL_debug_renderer_info");
+    const name = gl.getParameter(extension ? extension.UNMASKED_RENDERER_WEBGL : gl.RENDERER);
+    return /swiftshader|llvmpipe|softpipe|software|basic render/i.test(name ?? "");
+}
+
+// Steps of rays branch on graphics cards, which skip what no ray of a group needs:
+// shaders/march/hermite.glsl.
+function forHardware(text) {
+    return text.replace("\n", "\n#define BRANCHES 1\n");
+}
+
 // A linked vertex and fragment shader. Names that it does not have are ignored.
 class Program {
     constructor(gl, vertex, fragment, name) {
         this.gl = gl;
         this.name = name;
         this.program = gl.createProgram();
+        if (!drawsInSoftware(gl)) fragment = forHardware(fragment);
         this.shaders = [[gl.VERTEX_SHADER, vertex], [gl.FRAGMENT_SHADER, fragment]].map(
             ([kind, text]) => {
                 const shader = gl.createShader(kind);

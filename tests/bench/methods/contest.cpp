@@ -126,9 +126,13 @@ double operations(const scene::Scene& scene, scene::Method method) {
     const synthesis::Passes passes = synthesis::assemble(with);
     std::vector<int> counts;
     for (const auto& array : passes.arrays) counts.push_back(array.capacity);
-    // Other methods ask for bounds only where a sample leaves doubt.
+    // Other methods ask for bounds of F only where samples leave doubt.
     std::vector<synthesis::FieldFunction> of_a_sample = passes.samples;
-    if (scene::traits(method).steps != scene::Steps::bounds) of_a_sample.resize(1);
+    if (scene::traits(method).steps != scene::Steps::bounds) {
+        std::erase_if(of_a_sample, [](synthesis::FieldFunction function) {
+            return function != synthesis::FieldFunction::rough && is_on_intervals(function);
+        });
+    }
     return synthesis::cost(*scene.surface.field, of_a_sample, counts).operations;
 }
 

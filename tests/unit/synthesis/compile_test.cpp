@@ -194,14 +194,17 @@ TEST_F(CompileWithGlslang, EveryAssembly) {
 TEST_F(CompileWithGlslang, EveryPassOfBrowsers) {
     std::set<std::string> seen;
     const auto add_passes = [&](const std::string& text) {
-        const Passes passes = assemble(scene_of(text), {}, on_page);
-        for (const Pass& pass : passes.list) {
-            if (seen.insert(pass.vertex).second) add(pass.vertex, "vert");
-            if (!seen.insert(pass.text).second) continue;
-            // WebGL has a choice of numbers and vectors alone.
-            EXPECT_EQ(occurrences(pass.text, "? finish("), 0) << pass.name;
-            EXPECT_EQ(occurrences(pass.text, "? Lists("), 0) << pass.name;
-            add(pass.text, "frag");
+        Drawing drawing = on_page;
+        for (const bool branches : {false, true}) { // where a processor draws, and on a card
+            drawing.branches = branches;
+            for (const Pass& pass : assemble(scene_of(text), {}, drawing).list) {
+                if (seen.insert(pass.vertex).second) add(pass.vertex, "vert");
+                if (!seen.insert(pass.text).second) continue;
+                // WebGL has a choice of numbers and vectors alone.
+                EXPECT_EQ(occurrences(pass.text, "? finish("), 0) << pass.name;
+                EXPECT_EQ(occurrences(pass.text, "? Lists("), 0) << pass.name;
+                add(pass.text, "frag");
+            }
         }
     };
     const std::string formula = std::string(all_operations) + " - sum(links, px*z)";
