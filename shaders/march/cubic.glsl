@@ -31,9 +31,13 @@ RayState advance_by_cubic(RayState s, Ray ray, float t, vec2 f, float longest, b
     float safety = cubics.x, finest = cubics.w;
     bool nan = im_is_nan(f.x);
     RayState before = s;
-    // A NaN slope (at a kink, say) counts as 0.
-    if (im_is_nan(f.y)) f.y = 0.0;
+    // A NaN slope counts as 0, as at a kink; where F is smooth, it comes of infinite numbers.
+    bool no_slope = im_is_nan(f.y);
+    if (no_slope) f.y = 0.0;
     float newton = t - f.x / f.y;
+#ifndef ROUGH
+    if (no_slope) f.y = uintBitsToFloat(0x7f800000u);
+#endif
     bool same_side = (f.x < 0.0) == (s.f_low.x < 0.0);
 
     // The cubic f0 + y (m0 + y (c2 + (y - h) c3)) from y = 0 to h.
@@ -65,7 +69,15 @@ RayState advance_by_cubic(RayState s, Ray ray, float t, vec2 f, float longest, b
     float middle = upright * (0.5 * (f0 + f.x) + 0.125 * h * (m0 - f.y));
 
     bool is_finest = h <= finest;
-    bool free = same_side && clear && middle > error && !refines && !starts;
+    // Infinite values and slopes tell no cubic; a smooth F is far from 0 there. So it is where values
+    // are cut off (IM_SATURATION), whose slopes go on.
+    bool cut_off = mean == 0.0 && m0 * f.y > 0.0 && abs(m0) * h > 1.0e-5 * abs(f0);
+    bool overflows = cut_off || min(abs(f0), abs(f.x)) > IM_LARGEST;
+#ifndef ROUGH
+    overflows = overflows || min(abs(m0), abs(f.y)) > IM_LARGEST || is_finest && !(error <= IM_LARGEST);
+#endif
+    bool is_clear = clear && middle > error || overflows;
+    bool free = same_side && is_clear && !refines && !starts;
     bool fits = error < 0.5 * max(abs(f0), abs(f.x));
     bool isolated =
         !same_side && !refines && !starts && (is_finest || (clear || !dips) && fits);
@@ -93,7 +105,7 @@ RayState advance_by_cubic(RayState s, Ray ray, float t, vec2 f, float longest, b
         between = between > begins && between < ends ? between : halfway;
     }
 
-    float growth = min(middle, abs(f.x)) > 8.0 * error ? 2.5 : 1.2;
+    float growth = min(middle, abs(f.x)) > 8.0 * error || overflows ? 2.5 : 1.2;
     float step = starts ? min(abs(t - newton), thresholds.x) : growth * h;
 #ifdef ROUGH
     // Behind a break, whose length `other` holds, more may follow. Far from 0 steps grow fast.

@@ -53,6 +53,13 @@ INSTANTIATE_TEST_SUITE_P(
                 0.001, 0, 760, 1100),
         extreme("T_49 to x = 6", "chebyshev(49, x) + chebyshev(49, y) + chebyshev(49, z)", 6, 20,
                 0.004, 440000, 510000),
+        // Slopes are infinite, or none, before values are.
+        extreme("T_22 to x = 40", "chebyshev(22, x) + chebyshev(22, y) + chebyshev(22, z)", 40, 130,
+                0.1, 0, 0),
+        // Values are cut off beyond r = 8.3, and slopes go on.
+        extreme("Gaussian that grows far", "exp(x^2 + y^2 + z^2) - 3", 60, 200, 0.1, 0, 320000),
+        extreme("exponentials in wide bounds", "exp(x*y) + exp(y*z) + exp(z*x) - 4", 60, 200, 0.1,
+                0, 0),
         extreme("pole at the middle", "1/(x^2 + y^2 + z^2) - 1", 3, 8, 0.02, 0, 0),
         // Linear extensions from a pole reach zero at once: Taylor's test is blind there.
         extreme("from inside the pole", "1/(x^2 + y^2 + z^2) - 1", 3, 1e-9, 0.02, 0, blind),
