@@ -16,14 +16,6 @@
 #define WHERE(condition)
 #endif
 
-// Returns the zero of F as a part of h, in (0, 1), if t is a cubic of F; f0 and f1 differ in sign.
-float inverse_cubic(vec2 f0, vec2 f1, float h) {
-    float rise = f1.x - f0.x;
-    float u = -f0.x / rise, v = 1.0 - u;
-    float x = u * u * (3.0 - 2.0 * u) + u * v * (rise / h) * (v / f0.y - u / f1.y);
-    return x > 0.0 && x < 1.0 ? x : clamp(u, 0.01, 0.99);
-}
-
 // Advances a ray by its sample at t: F and dF/dt are f. The ray `starts` there, or `refines` a root,
 // or neither: constants, where each has its own way, leave out what the others take.
 RayState advance_by_cubic(RayState s, Ray ray, float t, vec2 f, float longest, bool starts,
@@ -46,13 +38,15 @@ RayState advance_by_cubic(RayState s, Ray ray, float t, vec2 f, float longest, b
     float mean = (f.x - f0) * per_h;
     float c2 = (mean - m0) * per_h;
     float c3 = (f.y + m0 - 2.0 * mean) * per_h * per_h;
-    // The cubic's error in the middle. It is unknown without a third sample.
+    // The cubic's error in the middle. Without a third sample it is unknown: the term of third degree
+    // tells nothing where F is even about the middle, as the distance to a ball is.
     float o = s.other.x - s.low, p = s.other.x - t;
     float off = f0 + o * (m0 + o * (c2 + p * c3)) - s.other.y;
     float bend = m0 + o * (2.0 * c2 + (o + 2.0 * p) * c3) - s.other.z;
     float scale = 0.25 * h * h / (o * p);
     float measured = scale * scale * (abs(off) + abs(0.5 * bend * o * p / (o + p)));
-    float error = o == 0.0 ? abs(c3) * h * h * h : safety * measured;
+    float guessed = h * h * (abs(c3) * h + 0.03125 * abs(c2));
+    float error = o == 0.0 ? guessed : safety * measured;
 
     // The cubic's minimum if F > 0 at 0, otherwise its maximum.
     float upright = f0 < 0.0 ? -1.0 : 1.0;
@@ -66,6 +60,10 @@ RayState advance_by_cubic(RayState s, Ray ray, float t, vec2 f, float longest, b
     // Displacement of a sample by rounding. Only this keeps an exact cubic off a double root.
     float rounding = cubics.z;
     bool clear = least > error * in_step * in_step + 0.25 * rounding * max(abs(m0), abs(f.y));
+#ifdef ROUGH
+    // Samples don't tell how sharp the bend between them is, as of the distance to a thin rod.
+    clear = clear && least_between(upright * f0, upright * f.x, upright * vec2(m0, f.y), h) > 0.0;
+#endif
     float middle = upright * (0.5 * (f0 + f.x) + 0.125 * h * (m0 - f.y));
 
     bool is_finest = h <= finest;

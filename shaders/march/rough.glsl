@@ -132,7 +132,7 @@ bool judge_by_intervals(inout RayState s, Ray ray, float t, vec2 f, float longes
         return true;
     }
     // Behind a piece that bounds judged there is no third sample, as where a ray begins.
-    float most = s.other.x == s.low ? thresholds.x : longest;
+    float most = s.other.x == s.low ? min(thresholds.x, longest) : longest;
     // After a cut the length is the same but for rounding.
     if (is_smooth && t - s.low <= 1.01 * most) return false;
     if (is_smooth) s = cut(s, most);

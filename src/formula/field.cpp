@@ -6,6 +6,7 @@
 #include "formula/graph/derivative.h"
 #include "formula/graph/lowering.h"
 #include "formula/graph/parser.h"
+#include "formula/graph/same_signs.h"
 #include "formula/graph/walls.h"
 
 namespace isomotion::formula {
@@ -54,7 +55,7 @@ Field make_field(std::string_view text, Vocabulary vocabulary) {
     vocabulary.inputs = coordinate_names;
     vocabulary.allows_picks = false;
     vocabulary.allows_equation = true;
-    field.root = parse(text, vocabulary, field.graph);
+    field.root = same_signs(field.graph, parse(text, vocabulary, field.graph));
     derive_programs(field);
     field.packing = packing_of(vocabulary.arrays.size(),
                                std::array{&field.value, &field.directional, &field.gradient});

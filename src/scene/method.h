@@ -38,7 +38,7 @@ struct MethodTraits {
     // Files of shaders/march/, without extension, up to the first empty name: those that find a
     // root between two samples, and those that make up one step of the march.
     std::array<std::string_view, 2> test;
-    std::array<std::string_view, 3> turn;
+    std::array<std::string_view, 4> turn;
     // The file that tells whether a shadow ray meets any root, and whether it uses the same steps.
     std::string_view any_hit;
     bool any_hit_turns;
@@ -82,7 +82,7 @@ inline constexpr MethodTraits method_traits[] = {
      Samples::directional,
      3,
      {},
-     {"cubic", "hermite", "turn_point"},
+     {"inverse_cubic", "cubic", "hermite", "turn_point"},
      "any_hit_turn",
      true},
     {Method::interval,
