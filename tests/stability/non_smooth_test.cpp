@@ -47,6 +47,43 @@ size = [97, 97]
             {{Method::amp_sign, sign}, {Method::amp_taylor, taylor}}};
 }
 
+// Distances to thin rods and to balls, the least of which changes along a ray. Their bends are far
+// sharper than steps are long.
+HardCase distances(const std::string& name, const std::string& key, int count, const char* radius,
+                   const char* isolation, const char* angle = "") {
+    return {name,
+            fmt::format(R"toml(
+[surface]
+formula = "least(p, {} - R)"
+bounds = {{ sphere = 1.5 }}
+[arrays.p]
+count = {}
+cx = "-1 + 2*random(i, 1)"
+cy = "-1 + 2*random(i, 2)"
+cz = "-1 + 2*random(i, 3)"
+R = "{}"
+{}
+[camera]
+position = [4, 0, 0]
+{}
+[output]
+size = [128, 128]
+)toml",
+                        key, count, radius, angle, isolation),
+            {}};
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Distances, NonSmooth,
+    testing::Values(distances("thin rods",
+                              "sqrt(((x - cx)*cos(a) + (y - cy)*sin(a))^2 + (z - cz)^2)", 20,
+                              "0.0006 + 0.0084*random(i, 7)", "", "a = '6.28*random(i, 6)'"),
+                    distances("balls", "sqrt((x - cx)^2 + (y - cy)^2 + (z - cz)^2)", 60,
+                              "0.02 + 0.1*random(i, 7)", "[isolation]\nbeam = false"),
+                    distances("discs", "sqrt((x - cx)^2 + (y - cy)^2 + 30*(z - cz)^2)", 40,
+                              "0.04 + 0.1*random(i, 7)", "")),
+    test_name);
+
 INSTANTIATE_TEST_SUITE_P(
     Corners, NonSmooth,
     testing::Values(

@@ -60,6 +60,10 @@ INSTANTIATE_TEST_SUITE_P(
         extreme("Gaussian that grows far", "exp(x^2 + y^2 + z^2) - 3", 60, 200, 0.1, 0, 320000),
         extreme("exponentials in wide bounds", "exp(x*y) + exp(y*z) + exp(z*x) - 4", 60, 200, 0.1,
                 0, 0),
+        // exp(-100) comes to 0 in float32, and so did F where x isn't 0 (graph/same_signs.h).
+        extreme("plane that fades", "x*exp(-(x^2 + y^2 + z^2))", 10, 30, 0.1, 0, 0),
+        extreme("charges", "exp(-9*((x - 1)^2 + y^2 + z^2)) - exp(-9*((x + 1)^2 + y^2 + z^2))", 4,
+                12, 0.05, 0, 0),
         extreme("pole at the middle", "1/(x^2 + y^2 + z^2) - 1", 3, 8, 0.02, 0, 0),
         // Linear extensions from a pole reach zero at once: Taylor's test is blind there.
         extreme("from inside the pole", "1/(x^2 + y^2 + z^2) - 1", 3, 1e-9, 0.02, 0, blind),
