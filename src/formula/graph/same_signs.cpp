@@ -25,9 +25,9 @@ bool is_positive(const Graph& g, NodeId id) {
     case Op::divide:
         return is_positive(g, a) && is_positive(g, b);
     case Op::add:
-        return is_positive(g, a) && is_positive(g, b) ||
-               is_constant_from(g, a, 1) && g[b].op == Op::tanh ||
-               is_constant_from(g, b, 1) && g[a].op == Op::tanh;
+        return (is_positive(g, a) && is_positive(g, b)) ||
+               (is_constant_from(g, a, 1) && g[b].op == Op::tanh) ||
+               (is_constant_from(g, b, 1) && g[a].op == Op::tanh);
     case Op::subtract:
         return is_constant_from(g, a, 1) && g[b].op == Op::tanh;
     default:

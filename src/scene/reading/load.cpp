@@ -245,11 +245,16 @@ void rescale(Scene& scene, SurfaceParts& parts, const SceneAt& first) {
     }
     const Float32Loss loss = float32_loss(*scene.surface.field, first);
     if (loss.part <= 0.9) return;
+    const double size = std::abs(loss.example);
+    const bool is_held = size > 1e-30 && size < 1e30; // only parts of the formula are not
+    const char* what = is_held
+                           ? "has parts beyond what the GPU's numbers hold, 1e-37 to 1e38, where "
+                             "it comes to values such as {:.1g}: choose smaller bounds, or write "
+                             "it without these parts"
+                           : "comes to values such as {:.1g} within the bounds; the GPU's "
+                             "numbers hold 1e-37 to 1e38: multiply it by another number";
     fail(*parts.formula_node, parts.catalogue ? "formula" : "surface.formula",
-         fmt::format(
-             "comes to values such as {:.1g} within the bounds; the GPU's numbers hold 1e-37 "
-             "to 1e38: multiply it by another number",
-             loss.example));
+         fmt::format(fmt::runtime(what), loss.example));
 }
 
 // A scene's document tells whether bounds have to be found.
