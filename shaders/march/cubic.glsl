@@ -82,7 +82,7 @@ RayState advance_by_cubic(RayState s, Ray ray, float t, vec2 f, float longest, b
     // A sample on a double root leaves no root inside the steps beside it. The finest steps say
     // nothing of curvature.
     float touching = h > finest ? 4.0 * abs(c2 + 2.0 * h * c3) * rounding * rounding : 0.0;
-    bool on_root = fits && abs(f.x) <= touching;
+    bool on_root = fits && touching <= IM_LARGEST && abs(f.x) <= touching;
     bool touches = same_side && (on_root || !free && is_finest) && !refines && !starts;
 #ifdef BOUNDED_TOUCHES
     // The step goes on as if F did not touch 0; solve() asks bounds whether it may.

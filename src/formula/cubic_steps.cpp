@@ -58,7 +58,8 @@ struct Sample {
 };
 
 // Whether hermite goes on behind b without a root between a and b; or with one, where F changes its
-// sign: see shaders/march/cubic.glsl. The third sample is missing on a ray's first step.
+// sign: see shaders/march/cubic.glsl. The third sample is missing on a ray's first step. What only
+// shortens steps there, and numbers beyond floats, are left out here.
 bool passes(const Sample& a, const Sample& b, const std::optional<Sample>& third, double safety) {
     const double h = b.t - a.t, mean = (b.f - a.f) / h;
     const double c2 = (mean - a.slope) / h, c3 = (b.slope + a.slope - 2 * mean) / (h * h);

@@ -2,89 +2,128 @@
 
 #include <cmath>
 #include <optional>
+#include <unordered_map>
+
+#include "formula/graph/degree.h"
 
 namespace isomotion::formula {
 namespace {
 
-bool is_constant_from(const Graph& g, NodeId id, double least) {
-    return g.is_constant(id) && g[id].value >= least && std::isfinite(g[id].value);
-}
+// Nodes may be shared: each is looked at once.
+class Simplification {
+public:
+    explicit Simplification(Graph& graph)
+        : graph_(graph) {}
 
-// Whether it is above 0 everywhere, though it may come to 0 in floats.
-bool is_positive(const Graph& g, NodeId id) {
-    const Node& node = g[id];
-    if (node.may_have_gaps) return false;
-    const auto [a, b, c, d] = node.children;
-    switch (node.op) {
-    case Op::exp:
-    case Op::cosh:
-        return true;
-    case Op::constant:
-        return is_constant_from(g, id, 0) && node.value > 0;
-    case Op::multiply:
-    case Op::divide:
-        return is_positive(g, a) && is_positive(g, b);
-    case Op::add:
-        return (is_positive(g, a) && is_positive(g, b)) ||
-               (is_constant_from(g, a, 1) && g[b].op == Op::tanh) ||
-               (is_constant_from(g, b, 1) && g[a].op == Op::tanh);
-    case Op::subtract:
-        return is_constant_from(g, a, 1) && g[b].op == Op::tanh;
-    default:
-        return false;
+    NodeId without_factors(NodeId id) { return once(left_, id, &Simplification::leave_out); }
+
+private:
+    template<class T> using Known = std::unordered_map<NodeId, T>;
+
+    template<class T> T once(Known<T>& known, NodeId id, T (Simplification::*find)(NodeId)) {
+        if (const auto found = known.find(id); found != known.end()) return found->second;
+        const T now = (this->*find)(id);
+        known.emplace(id, now);
+        return now;
     }
-}
 
-bool may_be_left_out(const Graph& g, NodeId factor) {
-    return !g.is_constant(factor) && is_positive(g, factor);
-}
-
-// u of an expression that is exp(u).
-std::optional<NodeId> exponent(Graph& g, NodeId id) {
-    const Node node = g[id];
-    if (node.may_have_gaps) return {};
-    if (node.op == Op::exp) return node.children[0];
-    if (node.op == Op::constant && is_positive(g, id)) return g.constant(std::log(node.value));
-    if (node.op != Op::multiply) return {};
-    const auto a = exponent(g, node.children[0]), b = exponent(g, node.children[1]);
-    if (!a || !b) return {};
-    return g.add(*a, *b);
-}
-
-// What differs as these two do, if both are the same growing function of something.
-std::optional<NodeId> difference_of_arguments(Graph& g, NodeId a, NodeId b) {
-    if (g.is_constant(a) || g.is_constant(b)) return {};
-    if (g[a].op == Op::tanh && g[b].op == Op::tanh && !g[a].may_have_gaps && !g[b].may_have_gaps)
-        return g.subtract(g[a].children[0], g[b].children[0]);
-    const auto u = exponent(g, a), v = exponent(g, b);
-    if (!u || !v) return {};
-    return g.subtract(*u, *v);
-}
-
-NodeId without_factors(Graph& g, NodeId id) {
-    const Node node = g[id]; // the graph grows
-    const auto [a, b, c, d] = node.children;
-    switch (node.op) {
-    case Op::negate:
-        return g.unary(Op::negate, without_factors(g, a));
-    case Op::multiply:
-        if (may_be_left_out(g, a)) return without_factors(g, b);
-        if (may_be_left_out(g, b)) return without_factors(g, a);
-        return g.multiply(without_factors(g, a), without_factors(g, b));
-    case Op::divide:
-        if (may_be_left_out(g, b)) return without_factors(g, a);
-        return g.divide(without_factors(g, a), b);
-    case Op::subtract:
-        return difference_of_arguments(g, a, b).value_or(id);
-    default:
-        return id;
+    bool is_constant_from(NodeId id, double least) const {
+        return graph_.is_constant(id) && graph_[id].value >= least &&
+               std::isfinite(graph_[id].value);
     }
-}
+
+    // Whether it is above 0 everywhere, though it may come to 0 in floats.
+    bool is_positive(NodeId id) { return once(positive_, id, &Simplification::find_positive); }
+
+    bool find_positive(NodeId id) {
+        const Node node = graph_[id];
+        if (node.may_have_gaps) return false;
+        const auto [a, b, c, d] = node.children;
+        const auto is_tanh = [&](NodeId part) { return graph_[part].op == Op::tanh; };
+        switch (node.op) {
+        case Op::exp:
+        case Op::cosh:
+            return true;
+        case Op::constant:
+            return is_constant_from(id, 0) && node.value > 0;
+        case Op::multiply:
+        case Op::divide:
+            return is_positive(a) && is_positive(b);
+        case Op::add:
+            return (is_positive(a) && is_positive(b)) || (is_constant_from(a, 1) && is_tanh(b)) ||
+                   (is_constant_from(b, 1) && is_tanh(a));
+        case Op::subtract:
+            return is_constant_from(a, 1) && is_tanh(b);
+        default:
+            return false;
+        }
+    }
+
+    bool may_be_left_out(NodeId factor) {
+        return !graph_.is_constant(factor) && is_positive(factor);
+    }
+
+    // u of an expression that is exp(u).
+    std::optional<NodeId> exponent(NodeId id) {
+        return once(exponents_, id, &Simplification::find_exponent);
+    }
+
+    std::optional<NodeId> find_exponent(NodeId id) {
+        const Node node = graph_[id];
+        if (node.may_have_gaps) return {};
+        if (node.op == Op::exp) return node.children[0];
+        if (node.op == Op::constant && is_positive(id))
+            return graph_.constant(std::log(node.value));
+        if (node.op != Op::multiply) return {};
+        const auto a = exponent(node.children[0]), b = exponent(node.children[1]);
+        if (!a || !b) return {};
+        return graph_.add(*a, *b);
+    }
+
+    // What differs as these two do, if both are the same growing function of something. A tanh
+    // makes a bounded jump of a pole, which may be a wall: so of polynomials only.
+    std::optional<NodeId> difference_of_arguments(NodeId a, NodeId b) {
+        if (graph_.is_constant(a) || graph_.is_constant(b)) return {};
+        const auto of_polynomial = [&](NodeId id) {
+            return graph_[id].op == Op::tanh && degree(graph_, graph_[id].children[0]);
+        };
+        if (of_polynomial(a) && of_polynomial(b))
+            return graph_.subtract(graph_[a].children[0], graph_[b].children[0]);
+        const auto u = exponent(a), v = exponent(b);
+        if (!u || !v) return {};
+        return graph_.subtract(*u, *v);
+    }
+
+    NodeId leave_out(NodeId id) {
+        const Node node = graph_[id]; // the graph grows
+        const auto [a, b, c, d] = node.children;
+        switch (node.op) {
+        case Op::negate:
+            return graph_.unary(Op::negate, without_factors(a));
+        case Op::multiply:
+            if (may_be_left_out(a)) return without_factors(b);
+            if (may_be_left_out(b)) return without_factors(a);
+            return graph_.multiply(without_factors(a), without_factors(b));
+        case Op::divide:
+            if (may_be_left_out(b)) return without_factors(a);
+            return graph_.divide(without_factors(a), b);
+        case Op::subtract:
+            return difference_of_arguments(a, b).value_or(id);
+        default:
+            return id;
+        }
+    }
+
+    Graph& graph_;
+    Known<bool> positive_;
+    Known<std::optional<NodeId>> exponents_;
+    Known<NodeId> left_;
+};
 
 } // namespace
 
 NodeId same_signs(Graph& graph, NodeId root) {
-    const NodeId found = without_factors(graph, root);
+    const NodeId found = Simplification(graph).without_factors(root);
     return graph.is_constant(found) ? root : found; // a formula without a zero stays as it is
 }
 

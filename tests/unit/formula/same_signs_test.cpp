@@ -33,8 +33,19 @@ TEST(SameSigns, KeepWhatTheyMust) {
     for (const char* text :
          {"exp(x) - 2", "x*sinh(y)", "x*(1 - tanh(y))*0 + z", "exp(x)", "x*exp(log(y))",
           "x*exp(1/y)", "x*sqrt(y)", "sum(blobs, exp(-(x - cx)^2)) - 1", "tanh(x) - exp(y)",
-          "(0.5 + tanh(x))*y", "x*abs(y)"})
+          "(0.5 + tanh(x))*y", "x*abs(y)", "tanh(tan(x)) - tanh(y)",
+          "tanh(x*abs(x)^-1.5) - tanh(y)"})
         expect_left(text, text);
+}
+
+// A node that many paths lead to is looked at once.
+TEST(SameSigns, TakeSharedNodesOnce) {
+    std::string text = "z";
+    for (int k = 0; k < 9; ++k) text = "((" + text + ")^16 + exp(x))";
+    expect_left("y*" + text, "y*" + text);
+    std::string positive = "exp(x)";
+    for (int k = 0; k < 9; ++k) positive = "(" + positive + "^16 + exp(y))";
+    expect_left("z*" + positive, "z");
 }
 
 // Of any formula, at points of any size.
