@@ -63,7 +63,7 @@ INSTANTIATE_TEST_SUITE_P(
         extreme("plane that fades", "x*exp(-(x^2 + y^2 + z^2))", 10, 30, 0.1, 0, 0),
         extreme("charges", "exp(-9*((x - 1)^2 + y^2 + z^2)) - exp(-9*((x + 1)^2 + y^2 + z^2))", 4,
                 12, 0.05, 0, 0),
-        // Where it is steepest, twice the curvature is infinite.
+        // F and its slopes are finite, and its second derivative is not.
         extreme("three steep planes",
                 "(exp(40*x) - 1)*(exp(40*x) - 3)*(exp(40*(x - 0.2)) - 2) + 0.001*y", 9, 30, 0.05, 0,
                 460000),

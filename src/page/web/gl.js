@@ -16,11 +16,16 @@ function contextOf(canvas) {
     return gl;
 }
 
+const knownSoftware = new WeakMap(); // by context, which is asked once
+
 // Whether a processor draws, and no graphics card.
 function drawsInSoftware(gl) {
-    const extension = gl.getExtension("WEBGL_debug_renderer_info");
-    const name = gl.getParameter(extension ? extension.UNMASKED_RENDERER_WEBGL : gl.RENDERER);
-    return /swiftshader|llvmpipe|softpipe|software|basic render/i.test(name ?? "");
+    if (!knownSoftware.has(gl)) {
+        const extension = gl.getExtension("WEBGL_debug_renderer_info");
+        const name = gl.getParameter(extension ? extension.UNMASKED_RENDERER_WEBGL : gl.RENDERER);
+        knownSoftware.set(gl, /swiftshader|llvmpipe|softpipe|software|basic render/i.test(name ?? ""));
+    }
+    return knownSoftware.get(gl);
 }
 
 // Steps of rays branch on graphics cards, which skip what no ray of a group needs:

@@ -65,7 +65,7 @@ TEST(HeldSteps, BelongToTheSurfaceOfTheSlider) {
     EXPECT_EQ(held.others[0].cubic_steps, own.others[0].cubic_steps);
 }
 
-// Pages, which measure nothing, take them as soon as a slider moves.
+// A page takes these while a slider holds a parameter.
 TEST(HeldSteps, AtSliderEndsAreTheShortest) {
     const std::string text = "[surface]\n" + waves + "[parameters]\n" + ranges;
     const formula::CubicSteps ends = steps_at_slider_ends(loaded(text));
