@@ -224,7 +224,8 @@ private:
             if (number > failed_number_) notices_.draw_error.clear();
             new_picture_ = true;
         }
-        if (const auto given_up = thread_.take_given_up()) scheduler_.learn(*given_up, now());
+        if (const auto given_up = thread_.take_given_up())
+            scheduler_.learn(*given_up, display_, now());
         if (const auto audited = audits_.take()) take_audit(*audited);
         if (auto failure = thread_.take_failure()) fail_to_draw(failure->text, failure->number);
     }

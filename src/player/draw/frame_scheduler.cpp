@@ -22,6 +22,9 @@ constexpr double grows_from = 0.25;
 // Rays of a picture at rest.
 constexpr int most_audited = 16'384;
 
+// A scene's first picture, whose cost nothing tells yet, has an eighth of the pixels.
+constexpr int first_rung = 6;
+
 } // namespace
 
 glm::ivec2 fitted_size(glm::ivec2 area, double aspect) {
@@ -32,6 +35,7 @@ glm::ivec2 fitted_size(glm::ivec2 area, double aspect) {
 
 void FrameScheduler::begin_scene() {
     resolution_ = {};
+    resolution_.rung = first_rung;
     subject_.reset();
     wanted_.reset();
     begin_ = number_ + 1;
@@ -112,16 +116,16 @@ void FrameScheduler::ask(Session& session, std::int64_t frame, glm::ivec2 size, 
 void FrameScheduler::learn(const Shown& shown, double display, double now) {
     if (shown.number < begin_) return; // another scene's
     if (!shown.compiled && shown.asked == 1) {
-        // Nothing is drawn as a picture is put on the screen.
-        const double period = shown.took.count() + display;
-        resolution_ = adjusted(resolution_, {shown.scale, 1e3 * period, now}, rate);
+        resolution_ = adjusted(resolution_,
+                               {shown.scale, 1e3 * shown.took.count(), now, 1e3 * display}, rate);
     }
     if (shown.number == number_ && shown.samples == shown.asked) came_ = true;
 }
 
-void FrameScheduler::learn(const GivenUp& picture, double now) {
+void FrameScheduler::learn(const GivenUp& picture, double display, double now) {
     if (picture.number < begin_) return;
-    resolution_ = adjusted(resolution_, {picture.scale, 1e3 * picture.took.count(), now}, rate);
+    resolution_ = adjusted(resolution_,
+                           {picture.scale, 1e3 * picture.took.count(), now, 1e3 * display}, rate);
 }
 
 std::optional<double> FrameScheduler::next_change() const {

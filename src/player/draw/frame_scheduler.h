@@ -20,9 +20,11 @@ glm::ivec2 fitted_size(glm::ivec2 area, double aspect);
 class FrameScheduler {
 public:
     explicit FrameScheduler(DrawThread& thread)
-        : thread_(thread) {}
+        : thread_(thread) {
+        begin_scene();
+    }
 
-    // A scene was opened or reloaded, so the cost of a draw is unknown.
+    // A scene was opened or reloaded, so the cost of a draw is unknown: the next picture is small.
     void begin_scene();
 
     // Requests the picture of `session` at `frame`, with at most `size`, unless it is requested
@@ -36,7 +38,7 @@ public:
     // Call these when a picture has come or was given up. It takes `display` seconds on average to
     // reach the screen.
     void learn(const Shown& shown, double display, double now);
-    void learn(const GivenUp& picture, double now);
+    void learn(const GivenUp& picture, double display, double now);
     // The time, in seconds of `now`, at which to call ask() again without an event; none if that
     // would request nothing.
     std::optional<double> next_change() const;

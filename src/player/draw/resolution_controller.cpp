@@ -12,11 +12,12 @@ constexpr double fall_to = 0.9;       // of the budget, after it was missed
 constexpr double rise_to = 0.8;       // of the budget, before a larger picture is tried
 constexpr int tallest_rise = 4;       // rungs: four times as many pixels
 constexpr int least_patience = 6, most_patience = 192;
-constexpr int taken_back = 30;   // draws: a fall so soon after a rise says the rise was wrong
-constexpr int well_tried = 300;  // draws at one scale, after which that is forgiven
-constexpr double least_hold = 2; // seconds at one scale, once settled
-constexpr int settles = 30;      // draws of one cost
-constexpr double far_over = 1.5; // times the budget
+constexpr int taken_back = 30;      // draws: a fall so soon after a rise says the rise was wrong
+constexpr int well_tried = 300;     // draws at one scale, after which that is forgiven
+constexpr double least_hold = 2;    // seconds at one scale, once settled
+constexpr int settles = 30;         // draws of one cost
+constexpr double far_over = 1.5;    // times the budget
+constexpr double least_part = 0.25; // of the time between pictures, which draws get in any case
 
 // The largest picture that costs no more.
 int largest_within(const CostModel& model, double milliseconds) {
@@ -111,7 +112,8 @@ CostModel cost_of(const std::vector<MeasuredDraw>& draws, const CostModel& befor
 ResolutionController adjusted(ResolutionController p, const MeasuredDraw& draw, double fps) {
     constexpr double most = 1e9;
     if (!(draw.milliseconds > 0 && draw.milliseconds < most && draw.scale > 0 && fps > 0)) return p;
-    const double budget = 1000 / fps;
+    const double period = 1000 / fps;
+    const double budget = std::max(period - std::max(draw.display, 0.0), least_part * period);
     const bool first = p.draws.empty();
     remember(p, draw);
     // One that was begun before the scale changed says what it costs, and no more.

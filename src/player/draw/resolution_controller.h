@@ -2,8 +2,8 @@
 //
 // The model is that a draw at scale s of the window's width and height costs a + b s^2
 // milliseconds. Both are fitted to the draws since the cost last changed, by least squares of
-// relative errors. They give the largest scale within the budget of 1000 / fps. Scales come from a
-// short ladder, and four rules keep them stable:
+// relative errors. They give the largest scale within the budget: 1000 / fps less what it takes to
+// put a picture on the screen. Scales come from a short ladder, and four rules keep them stable:
 //
 //   * down only after two successive draws over the budget, so that a hiccup of the machine changes
 //     nothing and a heavier scene takes effect at its second picture (the very first draw at once);
@@ -36,7 +36,8 @@ struct CostModel {
 struct MeasuredDraw {
     double scale = 1;
     double milliseconds = 0;
-    double at = 0; // seconds, by the caller's clock
+    double at = 0;      // seconds, by the caller's clock
+    double display = 0; // milliseconds to put it on the screen, which no draw runs beside
 };
 
 // Least squares of relative errors, with a and b at least 0. Draws of one scale can't separate a

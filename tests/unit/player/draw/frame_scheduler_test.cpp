@@ -126,16 +126,31 @@ TEST_F(FrameSchedulers, WhatTakesLongGrowsAtRest) {
         shown.compiled = false;
         shown.took = std::chrono::duration<double>(2 * shown.scale * shown.scale);
         scheduler->learn(shown, 0, now);
-        if (k == 0) turn(); // the first picture, of full size, told what one costs
+        if (k == 0) turn(); // the first picture told what one costs
         now += 1;
     }
     ASSERT_TRUE(scheduler->at_rest());
     ASSERT_GE(scales.size(), 4u);
-    EXPECT_EQ(scales[0], 1);
     EXPECT_LT(scales[1], 0.2) << "30 a second";
     for (std::size_t k = 2; k < scales.size(); ++k)
         EXPECT_EQ(scales[k], std::min(1.0, 2 * scales[k - 1]));
     EXPECT_EQ(scales.back(), 1);
+}
+
+// A dear scene shows its first picture soon, and one at rest is whole next.
+TEST_F(FrameSchedulers, EachSceneBeginsWithASmallPicture) {
+    for (int scene = 0; scene < 2; ++scene) {
+        const double now = 10 * scene;
+        ask(now, true);
+        Shown first = come();
+        EXPECT_LE(first.scale * first.scale, 0.125 + 1e-12);
+        first.compiled = false;
+        first.took = std::chrono::duration<double>(0.001);
+        scheduler->learn(first, 0, now);
+        ask(now + 1, true);
+        EXPECT_EQ(come().scale, 1);
+        scheduler->begin_scene();
+    }
 }
 
 TEST_F(FrameSchedulers, AWholePictureOnItsWayIsNotWaitedForByAHand) {

@@ -101,6 +101,36 @@ TEST(ResolutionController, HoldsStillOnAMachineThatIsNeverTheSame) {
     }
 }
 
+// Pictures share the time with what puts them on the screen, whose cost no size changes.
+TEST(ResolutionController, LeavesTimeToPutPicturesOnTheScreen) {
+    for (const double display : {0.0, 4.0, 12.0, 20.0}) {
+        for (const double filled : filled_costs) {
+            SCOPED_TRACE(fmt::format("{} s^2, display {}", filled, display));
+            const Machine cost = machine(0, filled);
+            ResolutionController controller;
+            for (int k = 0; k < 200; ++k) {
+                const double scale = controller.scale();
+                controller = adjusted(controller, {scale, cost(scale), k / 30.0, display}, 30);
+            }
+            const double left = budget - display;
+            EXPECT_NEAR(controller.model.at(1), filled, 1e-9 * filled) << "of drawing alone";
+            if (cost(scale_of(scale_count - 1)) > left) continue;
+            EXPECT_LE(cost(controller.scale()), left);
+            if (controller.rung > 0) {
+                EXPECT_GT(cost(scale_of(controller.rung - 1)), 0.8 * left) << "room to spare";
+            }
+        }
+    }
+}
+
+TEST(ResolutionController, DrawsGetAQuarterOfTheTimeHoweverSlowTheScreen) {
+    ResolutionController controller;
+    for (int k = 0; k < 100; ++k) {
+        controller = adjusted(controller, {controller.scale(), 5, k / 30.0, 1000}, 30);
+    }
+    EXPECT_EQ(controller.rung, 0);
+}
+
 // Two seconds apart at least, however noisy, but for draws that take half as long again.
 TEST(ResolutionController, ChangesSeldomOnceItHasSettled) {
     for (std::uint64_t seed = 1; seed <= 200; ++seed) {
