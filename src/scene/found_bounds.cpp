@@ -71,6 +71,9 @@ std::optional<std::vector<Values>> values_of_frames(const Scene& scene) {
             cover(all.back(), now);
         }
     }
+    // What rests is looked for once.
+    const auto same = std::ranges::unique(all);
+    all.erase(same.begin(), same.end());
     return all;
 }
 

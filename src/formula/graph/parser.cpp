@@ -269,11 +269,35 @@ private:
         return name;
     }
 
-    NodeId called_by(std::string_view name, std::size_t begin) {
-        if (name == "atan2") {
-            fail(begin, "there is no atan2, which jumps by a turn: write "
-                        "2*atan(y/(sqrt(x^2 + y^2) + x)) for atan2(y, x)");
+    // What to write for functions of other languages, whose names stay free for parameters.
+    static std::string_view what_to_write_for(std::string_view name) {
+        constexpr std::array<std::array<std::string_view, 2>, 15> others{{
+            {"atan2", "2*atan(y/(sqrt(x^2 + y^2) + x)) for atan2(y, x), which jumps by a turn"},
+            {"cbrt", "sign(a)*abs(a)^(1/3) for cbrt(a)"},
+            {"ceil", "-floor(-a) for ceil(a)"},
+            {"clamp", "min(max(a, b), c) for clamp(a, b, c)"},
+            {"exp2", "2^a for exp2(a)"},
+            {"fract", "a - floor(a) for fract(a)"},
+            {"hypot", "sqrt(a^2 + b^2) for hypot(a, b)"},
+            {"length", "sqrt(a^2 + b^2 + c^2) for length(a, b, c)"},
+            {"log10", "log(a)/log(10) for log10(a)"},
+            {"log2", "log(a)/log(2) for log2(a)"},
+            {"mix", "a + (b - a)*c for mix(a, b, c)"},
+            {"mod", "a - b*floor(a/b) for mod(a, b)"},
+            {"round", "floor(a + 0.5) for round(a)"},
+            {"smoothmax", "-smoothmin(-a, -b, k) for smoothmax(a, b, k)"},
+            {"smoothstep",
+             "u^2*(3 - 2*u) for smoothstep(a, b, c), with u = min(max((c - a)/(b - a), 0), 1)"},
+        }};
+        for (const auto& [other, plain] : others) {
+            if (name == other) return plain;
         }
+        return "";
+    }
+
+    NodeId called_by(std::string_view name, std::size_t begin) {
+        if (const std::string_view instead = what_to_write_for(name); !instead.empty())
+            fail(begin, fmt::format("there is no function '{}': write {}", name, instead));
         if (name == "sum" || name == "least" || name == "greatest")
             return over_elements(name, begin);
         if (name == "chebyshev") return chebyshev();
@@ -474,9 +498,10 @@ private:
         while (at_ + length < text_.size() && continues_character(text_[at_ + length])) ++length;
         const std::string_view sign = text_.substr(at_, length);
         const bool compares = sign == "<" || sign == ">" || sign == "≤" || sign == "≥";
-        fail(at_,
-             fmt::format("unexpected '{}'{}", sign,
-                         compares ? ": a surface is where both sides are equal: write '='" : ""));
+        const char* instead = compares      ? ": a surface is where both sides are equal: write '='"
+                              : sign == "%" ? ": write a - b*floor(a/b) for the rest of a/b"
+                                            : "";
+        fail(at_, fmt::format("unexpected '{}'{}", sign, instead));
     }
 
     [[noreturn]] void fail(std::size_t offset, const std::string& message) const {

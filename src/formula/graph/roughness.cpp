@@ -10,6 +10,7 @@ namespace isomotion::formula {
 namespace {
 
 constexpr double smooth_power = 3;
+constexpr double least_part = 0x1p-4; // of a smooth quotient's denominator that a box may leave
 
 // Whether a node is 0 where it has its kink, so that a power of it may be smooth there.
 bool is_0_at_kink(const Graph& g, const Node& node) {
@@ -80,8 +81,11 @@ NodeId pole_of(Graph& g, NodeId id) {
     const Node node = g[id];
     const NodeId a = node.children[0], b = node.children[1], zero = g.constant(0);
     switch (node.op) {
-    case Op::divide:
-        return unless_above(g, g.unary(Op::abs, b), zero);
+    case Op::divide: {
+        // Beside a pole a quotient turns as fast as its denominator comes to a part of itself.
+        const NodeId size = g.unary(Op::abs, b);
+        return unless_above(g, size, g.multiply(g.constant(least_part), size));
+    }
     case Op::power:
         return g.select(zero, a, zero, unless_above(g, b, zero));
     case Op::log:

@@ -94,7 +94,7 @@ bool is_made_of_known_words(std::string_view name) {
 bool is_formula(const std::string& name) {
     const auto extension = std::filesystem::path(name).extension();
     if (extension == ".toml" || extension == ".jsurf" || extension == ".pov") return false;
-    return name.find_first_of("=^*+()|") != name.npos || is_made_of_known_words(name);
+    return name.find_first_of("=^*+()|<>%") != name.npos || is_made_of_known_words(name);
 }
 
 toml::table scene_of_formula(const std::string& formula) {

@@ -74,6 +74,12 @@ fs::path locate(const std::string& scene) {
     if (looks_like_path) throw SceneError(scene + ": no such file");
     const auto known = animation_names();
     const std::string near = base::nearest_name(scene, known);
+    // "r - 1" could be either.
+    if (near.empty() && scene.find('-') != scene.npos) {
+        throw SceneError(fmt::format("{0}: no such file, and no animation of this name; a formula "
+                                     "of one side has a 0 on the other: '{0} = 0'",
+                                     scene));
+    }
     throw SceneError(
         near.empty() ? fmt::format("{}: no such file, and no animation of this name; isomotion "
                                    "list names the {} that there are",

@@ -45,6 +45,11 @@ TEST_F(Files, UnknownNamesAreToldTheNearestOrAll) {
     EXPECT_EQ(mistake_of_name("quite_unlike"),
               "quite_unlike: no such file, and no animation of this name; isomotion list names the "
               "2 that there are");
+    EXPECT_EQ(mistake_of_name("rho - 1"),
+              "rho - 1: no such file, and no animation of this name; a formula of one side has a 0 "
+              "on the other: 'rho - 1 = 0'");
+    for (const char* formula : {"x < y", "x % 2", "x > 0"})
+        EXPECT_THAT(mistake_of_name(formula), HasSubstr("unexpected")) << formula;
 }
 
 TEST_F(Files, ThatAreNotTomlAreToldTheLine) {

@@ -70,6 +70,32 @@ TEST(FoundBoundsOf, WhatSwingsFastAreOfAllFrames) {
     }
 }
 
+// The work that frames share is for what moves.
+TEST(FoundBoundsOf, FramesOfWhatRestsAreOne) {
+    const auto scene = [](int frames) {
+        return load_text(fmt::format(R"toml([surface]
+formula = "least(p, sqrt((x-cx)^2 + (y-cy)^2 + (z-cz)^2) - 0.2)"
+[time]
+frames = {}
+fps = 30
+[arrays.p]
+count = 5000
+cx = "2*random(i, 2) - 1"
+cy = "2*random(i, 0) - 1"
+cz = "2*random(i, 1) - 1"
+[camera]
+azimuth = "10*t"
+)toml",
+                                     frames),
+                         "scene.toml");
+    };
+    const Scene one = scene(1), many = scene(80);
+    ASSERT_EQ(one.surface.found_bounds, std::optional(true));
+    EXPECT_EQ(many.surface.found_bounds, std::optional(true));
+    EXPECT_EQ(at(many, many.timeline.values(80)).bounds.radius,
+              at(one, one.timeline.values(1)).bounds.radius);
+}
+
 TEST(FoundBoundsOf, ElementsHoldThemOrAreTooMany) {
     const auto scene = [](int count) {
         return load_text(fmt::format(R"toml([surface]
