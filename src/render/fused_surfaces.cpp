@@ -24,7 +24,7 @@ void FusedSurfaces::draw(const PictureInputs& inputs, const gpu::Rectangle& tile
         one.bind();
         one.draw_beams(k == 0 ? inputs : inputs.others[k - 1], tile);
         if (k > 0) {
-            before_.copy_from(result_, {0, 0, tile.width, tile.height});
+            before_.copy_from(result_, one.table.in_targets(tile));
             one.table.bind_numbered("before_texture", before_);
             one.table.bind("way_texture", before_.texture(way));
         }

@@ -13,12 +13,12 @@ constexpr int surface_attachments = 3; // shaders/effects/surface_point.glsl
 GlassPaths::GlassPaths(const synthesis::Passes& passes, const MarchPlan& tile, int depth)
     : depth_(depth)
     , rays_(passes, tile)
-    , kept_(tile.tile_width, tile.tile_height, path_attachments)
-    , gone_on_(tile.tile_width, tile.tile_height, path_attachments)
+    , kept_(tile.target_width(), tile.target_height(), path_attachments)
+    , gone_on_(tile.target_width(), tile.target_height(), path_attachments)
     , mask_(kept_) {
     for (const gpu::Target* target : {&gone_on_, &rays_.even, &rays_.odd}) mask_.serve(*target);
     if (passes.has(Role::glass_ground))
-        ground_.emplace(tile.tile_width, tile.tile_height, surface_attachments);
+        ground_.emplace(tile.target_width(), tile.target_height(), surface_attachments);
 }
 
 bool GlassPaths::any_goes_on(PassTable& table, const gpu::Rectangle& tile) const {

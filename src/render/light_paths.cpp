@@ -33,7 +33,7 @@ std::vector<glm::vec4> matters_at(const scene::SceneAt& now, const scene::Among&
 
 LightPaths::LightPaths(std::vector<SurfacePasses*> all)
     : all_(std::move(all))
-    , kept_(all_.front()->plan.march.tile_width, all_.front()->plan.march.tile_height,
+    , kept_(all_.front()->plan.march.target_width(), all_.front()->plan.march.target_height(),
             textures_of_paths)
     , gone_on_(kept_.width(), kept_.height(), textures_of_paths)
     , ends_(all_.front()->plan.march, textures_of_path_ends)
@@ -76,12 +76,17 @@ void LightPaths::begin(const gpu::Target& eye_ends, const gpu::Rectangle& tile,
     }
 }
 
+gpu::Rectangle LightPaths::around_in_targets() const {
+    const glm::ivec2 corner = all_.front()->table.corner();
+    return {corner.x + around_.x, corner.y + around_.y, around_.width, around_.height};
+}
+
 // Late rays are few, and what they are drawn over costs more than they do.
 bool LightPaths::any_goes_on(const gpu::Rectangle& tile) {
     const auto numbers = std::size_t(4 * around_.width * around_.height);
     codes_.resize(numbers + 3); // whole from the code of the first pixel on
-    kept_.read(0, around_.x, around_.y, around_.width, around_.height,
-               std::span(codes_).first(numbers));
+    const gpu::Rectangle area = around_in_targets();
+    kept_.read(0, area.x, area.y, area.width, area.height, std::span(codes_).first(numbers));
     std::vector<gpu::Rectangle> rows;
     for (int y = 0; y < around_.height; y += OpenSquares::side) {
         rows.push_back({around_.x, around_.y + y, around_.width,
@@ -154,7 +159,7 @@ void LightPaths::trace(const gpu::Target& eye_ends, const gpu::Rectangle& tile,
     // Crossings of bounds are no rays of the depth, and the last one ends a path.
     const int most = all_.front()->scene.among.depth + synthesis::most_crossings + 1;
     for (int ray = 0; ray <= most && any_goes_on(tile); ++ray) {
-        const gpu::Scissor in_area(around_);
+        const gpu::Scissor in_area(around_in_targets());
         find_ends(tile, draws);
         mask_.apply(beyond_, [&] { look_beyond(ends_.last(), tile); });
         go_on(tile, environment);

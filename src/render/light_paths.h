@@ -42,6 +42,7 @@ private:
     void bind(SurfacePasses& one, const gpu::Target& ends, const gpu::Texture* environment) const;
     void begin(const gpu::Target& eye_ends, const gpu::Rectangle& tile,
                const gpu::Texture* environment);
+    gpu::Rectangle around_in_targets() const;
     bool any_goes_on(const gpu::Rectangle& tile);
     void draw_open(SurfacePasses& one, synthesis::Role role, const gpu::Rectangle& tile);
     void find_ends(const gpu::Rectangle& tile, int& draws);
@@ -54,7 +55,7 @@ private:
     Relay ends_;                 // of their rays
     gpu::Target beyond_, ended_;
     gpu::DepthMask mask_;      // where paths continue
-    gpu::Rectangle around_;    // all of these,
+    gpu::Rectangle around_;    // all of these in the tile,
     gpu::Rectangles open_;     // and squares of pixels with any
     std::vector<float> codes_; // of paths, as the shaders pack them
 };

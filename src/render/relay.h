@@ -10,8 +10,8 @@ namespace isomotion::render {
 
 struct Relay {
     Relay(const MarchPlan& tile, int attachments)
-        : targets{gpu::Target(tile.tile_width, tile.tile_height, attachments),
-                  gpu::Target(tile.tile_width, tile.tile_height, attachments)} {}
+        : targets{gpu::Target(tile.target_width(), tile.target_height(), attachments),
+                  gpu::Target(tile.target_width(), tile.target_height(), attachments)} {}
 
     const gpu::Target& last() const { return targets[std::size_t(at)]; }
     const gpu::Target& next() { return targets[std::size_t(at = 1 - at)]; }

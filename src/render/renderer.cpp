@@ -188,7 +188,8 @@ struct Renderer::Parts {
 
     void upload(const PictureInputs& inputs) {
         done = 0;
-        table.begin_tiles_at(plan.march.corner_of(options.width, options.height));
+        const glm::ivec2 corner = plan.march.corner_of(options.width, options.height);
+        for (const auto& surface : surfaces) surface->table.begin_tiles_at(corner);
         own.upload(inputs, options.width, options.height);
         if (environment) table.bind("environment_map", *environment);
         if (environment_levels) table.bind("environment_levels", *environment_levels);

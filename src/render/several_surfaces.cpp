@@ -60,7 +60,7 @@ SeveralSurfaces::SeveralSurfaces(std::vector<SurfacePasses*> all)
     }
     if (!mirror_.empty()) {
         mirrored_.emplace(tile, kept_textures);
-        mirrors_.emplace(seen_.emplace(tile.tile_width, tile.tile_height));
+        mirrors_.emplace(seen_.emplace(tile.target_width(), tile.target_height()));
         for (const gpu::Target& target : mirrored_->targets) mirrors_->serve(target);
         for (const RayTargets& rays : mirror_) {
             mirrors_->serve(rays.even);
@@ -69,7 +69,7 @@ SeveralSurfaces::SeveralSurfaces(std::vector<SurfacePasses*> all)
     }
     if (all_.front()->passes.has(Role::glass)) {
         paths_.emplace(all_);
-        seen_.emplace(tile.tile_width, tile.tile_height);
+        seen_.emplace(tile.target_width(), tile.target_height());
         paths_->mask().serve(*seen_);
         for (const RayTargets& rays : shadow_) {
             paths_->mask().serve(rays.even);

@@ -42,8 +42,7 @@ DrawLimits limits_of_a_draw(const gpu::ContextInfo& info, const scene::Scene& sc
 bool spreads_small_pictures(const gpu::ContextInfo& info, const scene::Scene& scene,
                             const synthesis::Passes& passes) {
     return info.software && info.max_texture_size >= side_for_small_pictures &&
-           passes.stage == synthesis::Stage::fragment && !synthesis::is_among(scene) &&
-           !scene.isolation.certify && !passes.has(synthesis::Role::glass) &&
+           passes.stage == synthesis::Stage::fragment && !scene.isolation.certify &&
            !passes.has(synthesis::Role::motion) &&
            std::ranges::all_of(passes.beams, [](const synthesis::BeamLevel& level) {
                return level.block == Blocks::side;
@@ -94,9 +93,12 @@ std::vector<PlannedSurface> plan_surfaces(const scene::Scene& scene, const Rende
         width = std::min(width, one.plan.march.tile_width);
         height = std::min(height, one.plan.march.tile_height);
     }
+    const bool all_spread = std::ranges::all_of(
+        all, [](const PlannedSurface& one) { return one.plan.march.spreads_small_pictures; });
     for (PlannedSurface& one : all) {
         one.plan.march.tile_width = width;
         one.plan.march.tile_height = height;
+        one.plan.march.spreads_small_pictures = all_spread;
     }
     return all;
 }

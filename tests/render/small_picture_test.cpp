@@ -3,6 +3,7 @@
 #include "drawing.h"
 
 #include <array>
+#include <span>
 
 #include <fmt/format.h>
 #include <glm/glm.hpp>
@@ -53,9 +54,9 @@ cz = "sin(i*0.9 + 1)*0.8"
 )toml";
 
 // Settled blocks, beams by intervals, none, elements by place with the shadows of a look; then a
-// box, with rays that begin on the surface, a colour that the surface's bend decides, and two
-// surfaces, which stay where they are.
-const std::array<std::string, 7> scenes{
+// box, with rays that begin on the surface, and a colour that the surface's bend decides. Then two
+// surfaces: in a draw each, with mirrors and with glass that holds water; and glass alone.
+const std::array<std::string, 10> scenes{
     sphere_scene,
     "[surface]\nuse = 'superquadric'\n",
     "[surface]\nuse = 'barth_sextic'\n[isolation]\nmethod = 'amp-sign'\nbeam = false\n",
@@ -67,6 +68,16 @@ const std::array<std::string, 7> scenes{
     "2]\n[occlusion]\n",
     "[[surfaces]]\nuse = 'goursat'\n[[surfaces]]\nformula = 'x^2 + y^2 - 0.1 - 0.1*z'\n"
     "bounds = { sphere = 2 }\n",
+    "[[surfaces]]\nuse = 'goursat'\n[surfaces.material]\nreflection = 'self'\n"
+    "[[surfaces]]\nformula = 'x^2 + y^2 - 0.1 - 0.1*z'\nbounds = { sphere = 2 }\n"
+    "[[lights]]\ndirection = [1, 2, 3]\nshadow = true\n[occlusion]\n",
+    "[[surfaces]]\nname = 'water'\nformula = 'x^2 + y^2 + z^2 + 0.1*cos(7*x) - 0.8'\n"
+    "bounds = { sphere = 1.2 }\n[surfaces.material]\ntransmission = 1\nior = 1.33\n"
+    "[[surfaces]]\nname = 'glass'\nformula = 'x^2 + y^2 + z^2 - 1'\n"
+    "bounds = { sphere = 1.2 }\n[surfaces.material]\ntransmission = 1\nior = 1.5\n"
+    "[ground]\nheight = -1.1\n[[lights]]\ndirection = [1, 2, 3]\nshadow = true\n",
+    "[surface]\nformula = 'x^4 + y^4 + z^4 - 0.5'\nbounds = { sphere = 1.2 }\n"
+    "[material]\ntransmission = 1\nior = 1.4\n[ground]\nheight = -1\n",
 };
 
 class SmallPicture : public Drawing {
@@ -79,8 +90,7 @@ protected:
             options.plan = renderer.plan();
         }
         Renderer renderer(*context, scene, options);
-        EXPECT_EQ(renderer.plan().spreads_small_pictures,
-                  spreads && context->info().software && scene.others.empty());
+        EXPECT_EQ(renderer.plan().spreads_small_pictures, spreads && context->info().software);
         renderer.resize(size.x, size.y);
         return renderer.draw(scene::at(scene, scene.timeline.values(1)));
     }
@@ -92,8 +102,11 @@ TEST_P(SmallPicture, HasTheSameBitsAboutACorner) {
         SCOPED_TRACE(text);
         const scene::Scene scene = scene_of(text);
         std::int64_t hits = 0;
-        for (const glm::ivec2 size : {glm::ivec2(64), glm::ivec2(61, 40), glm::ivec2(7, 64),
-                                      glm::ivec2(17, 5), glm::ivec2(150, 33)}) {
+        const std::array sizes{glm::ivec2(61, 40), glm::ivec2(150, 33), glm::ivec2(64),
+                               glm::ivec2(7, 64), glm::ivec2(17, 5)};
+        // Programs of many passes compile long.
+        const bool has_glass = text.find("transmission") != text.npos;
+        for (const glm::ivec2 size : std::span(sizes).first(has_glass ? 2 : sizes.size())) {
             SCOPED_TRACE(fmt::format("{} x {}", size.x, size.y));
             const Picture whole = drawn(scene, size, size, false);
             const Picture spread = drawn(scene, size, size, true);
