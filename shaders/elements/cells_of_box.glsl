@@ -1,5 +1,5 @@
 // Bounds over a box of numbers REAL: the hull of the bounds over its parts in each cell. A box has
-// no bounds if it meets more than MOST_CELLS cells or takes more than MOST_ELEMENTS elements.
+// no bounds if it meets more than MOST_CELLS cells, or these have too many elements.
 
 struct CellRange {
     ivec3 first, last;
@@ -15,6 +15,17 @@ bool are_empty(ivec3 first, ivec3 last) {
     return (cell.x & 0xfffffu) == 0u && max(reach.x, max(reach.y, reach.z)) <= around;
 }
 
+// Elements of all cells of a range.
+float elements_of(ivec3 first, ivec3 last) {
+    ivec3 n = last - first + 1;
+    float all = 0.0;
+    for (int k = 0; k < n.x * n.y * n.z; ++k) {
+        ivec3 place = first + ivec3(k % n.x, k / n.x % n.y, k / (n.x * n.y));
+        all += float(read_cell(place).x & 0xfffffu);
+    }
+    return all;
+}
+
 CellRange cells_of_box(REAL2 rx, REAL2 ry, REAL2 rz) {
     vec2 x = vec2(rx), y = vec2(ry), z = vec2(rz);
     // Counts the next cell, too, if rounding may move an end of the box into it.
@@ -24,8 +35,12 @@ CellRange cells_of_box(REAL2 rx, REAL2 ry, REAL2 rz) {
     if (are_empty(first, last)) return CellRange(first, first, false, true);
     bool bounded = all(lessThan(n, ivec3(MOST_CELLS + 1)));
     int cells = bounded ? n.x * n.y * n.z : MOST_CELLS + 1;
-    float turns = float(cells) * (GRID_LONGEST + float(GRID_OTHERS));
-    bool too_many = cells > MOST_CELLS || turns > float(MOST_ELEMENTS);
+    if (cells > MOST_CELLS) return CellRange(first, last, true, false);
+    float others = float(cells * GRID_OTHERS);
+    // Neighbours go through single cells together.
+    float most = float(cells == 1 ? 2 * MOST_ELEMENTS : MOST_ELEMENTS_OF_CELLS);
+    bool too_many = float(cells) * GRID_LONGEST + others > most;
+    if (too_many) too_many = elements_of(first, last) + others > most;
     return CellRange(first, last, too_many, false);
 }
 

@@ -12,27 +12,12 @@ namespace {
 
 using Kind = LevelSet::Kind;
 
-// More cells than that take more time than shorter lists save.
-constexpr double cells_an_element = 8, fewest_cells = 32 * 32 * 32;
-
 // Along an axis on which nothing depends one cell is enough.
 glm::ivec3 cells_of(const Region& region, double side, int most, const glm::bvec3& is_flat) {
     const glm::dvec3 wanted = glm::ceil((region.high - region.low) / side);
     const glm::ivec3 cells(
         glm::clamp(wanted, glm::dvec3(1), glm::dvec3(std::min(most, GridLimits::most_across))));
     return glm::mix(cells, glm::ivec3(1), is_flat);
-}
-
-// Along which axes all sets that have bounds are flat.
-glm::bvec3 flat_axes(std::span<const LevelSet> sets) {
-    glm::bvec3 flat(false);
-    bool is_first = true;
-    for (const LevelSet& set : sets) {
-        if (set.kind != Kind::bounded) continue;
-        for (int k = 0; k < 3; ++k) flat[k] = (is_first || flat[k]) && set.is_flat[k];
-        is_first = false;
-    }
-    return flat;
 }
 
 // A cell's side for elements of these sizes: half of a half axis.
@@ -72,6 +57,22 @@ glm::ivec3 fitting(const Region& region, std::span<const LevelSet> sets, double 
 
 } // namespace
 
+glm::bvec3 flat_axes(std::span<const LevelSet> sets) {
+    glm::bvec3 flat(false);
+    bool is_first = true;
+    for (const LevelSet& set : sets) {
+        if (set.kind != Kind::bounded) continue;
+        for (int k = 0; k < 3; ++k) flat[k] = (is_first || flat[k]) && set.is_flat[k];
+        is_first = false;
+    }
+    return flat;
+}
+
+double cells_worth_while(std::size_t elements) {
+    constexpr double of_an_element = 8, at_least = 32 * 32 * 32;
+    return std::max(at_least, of_an_element * double(elements));
+}
+
 int ElementGrid::usual_count() const {
     double entries = 0, squares = 0;
     for (const Cell& cell : cells) {
@@ -87,8 +88,7 @@ ElementGrid make_grid(const Region& region, std::span<const LevelSet> sets, int 
     const glm::bvec3 is_flat = flat_axes(sets);
     ElementGrid grid;
     grid.low = region.low;
-    grid.across = fitting(region, sets, std::max(fewest_cells, cells_an_element * double(elements)),
-                          is_flat, limits);
+    grid.across = fitting(region, sets, cells_worth_while(elements), is_flat, limits);
     grid.cell = Placing(region, grid.across).cell();
     const glm::dvec3 across(grid.across);
     grid.cells.resize(std::size_t(across.x * across.y * across.z));

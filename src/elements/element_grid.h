@@ -49,8 +49,9 @@ struct ElementGrid {
     std::uint32_t longest = 0; // length of the longest list
     // Bounds of what lists leave out of each sum; 0 if the terms left out are 0.
     std::vector<double> left_out;
-    // If F asks for the least element: no element left out of a list has a smaller key. The roots
-    // stay the same if this value replaces any larger key.
+    // If F asks for the least element: one left out of a list has no smaller key, or one of the
+    // list is less all over the cell. The roots stay the same if this value replaces any larger
+    // key.
     float least = formula::Operations<float>::least_of_none();
 
     const Cell& at(const glm::ivec3& place) const {
@@ -75,6 +76,11 @@ struct GridLimits {
     int across = 160; // cells, at most most_across
     int threads = 1;
 };
+
+// The axes along which all sets that have bounds are flat.
+glm::bvec3 flat_axes(std::span<const LevelSet> sets);
+// More cells take more time than shorter lists save.
+double cells_worth_while(std::size_t elements);
 
 class ElementTerms;
 

@@ -6,6 +6,7 @@
 
 #include "base/workers.h"
 #include "elements/element_terms.h"
+#include "elements/least_in_cells.h"
 #include "elements/tolerance.h"
 
 namespace isomotion::elements {
@@ -155,7 +156,8 @@ RootFree GridMaker::root_free(const ElementTerms& terms, const formula::Bindings
     return free;
 }
 
-// The elements' terms are gone when their lists are made, unless some sets are boxes.
+// The elements' terms are gone when their lists are made, unless some sets are boxes or a least is
+// looked for.
 GridMaker::Measured GridMaker::measure(const formula::Bindings<float>& bindings,
                                        const Region& region, int threads) const {
     auto owned = std::make_unique<const ElementTerms>(kernels_, bindings, region, threads);
@@ -180,8 +182,9 @@ GridMaker::Measured GridMaker::measure(const formula::Bindings<float>& bindings,
         };
     });
     found.root_free.sizes = found.sizes;
-    if (std::ranges::any_of(found.sets, &LevelSet::is_box)) {
-        found.terms = std::move(owned);
+    const bool any_box = std::ranges::any_of(found.sets, &LevelSet::is_box);
+    if (any_box || terms.is_least()) found.terms = std::move(owned);
+    if (any_box) {
         found.root_free.terms = found.terms.get();
         found.root_free.tolerance = found.left_out.of_term;
     }
@@ -195,7 +198,10 @@ ElementGrid GridMaker::make(const formula::Bindings<float>& bindings, const Regi
         make_grid(region, measured.sets, kernels_.quadrics, measured.root_free, limits);
     grid.array = array();
     grid.left_out = measured.left_out.of_sum;
-    if (kernels_.is_least) grid.least = measured.root_free.least;
+    if (kernels_.is_least) {
+        grid.least = measured.root_free.least;
+        keep_possible_least(grid, region, *measured.terms, flat_axes(measured.sets), limits);
+    }
     return grid;
 }
 

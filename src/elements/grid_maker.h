@@ -37,7 +37,7 @@ private:
         Tolerances left_out;
         std::vector<LevelSet> sets; // all sets of the first element, then of the next
         std::vector<float> sizes;   // ElementTerms::sizes(), which root_free reads
-        std::unique_ptr<const ElementTerms> terms; // if some sets are boxes
+        std::unique_ptr<const ElementTerms> terms; // if some sets are boxes, or for a least
     };
     Measured measure(const formula::Bindings<float>& bindings, const Region& region,
                      int threads) const;

@@ -62,8 +62,8 @@ LeastAtRoots::LeastAtRoots(const formula::Field& field, int array)
         formula::substitute(graph, field.graph, std::array{field.root}, as_input)[0];
     for (const formula::NodeId id : formula::nodes_below(graph, std::array{root})) {
         const formula::Node& node = graph[id];
-        const bool is_place = node.op == formula::Op::input && node.index < least_input;
-        depends_on_place_ = depends_on_place_ || is_place;
+        if (node.op == formula::Op::input && node.index < least_input)
+            depends_on_[std::size_t(node.index)] = true;
     }
     const formula::NodeId zero = graph.constant(0), one = graph.constant(1);
     std::vector<formula::NodeId> outputs;
@@ -82,7 +82,7 @@ public:
         : bindings_(without_array(bindings, of.array_))
         , program_(of.program_)
         , outputs_(of.program_.outputs.size())
-        , divides_(of.depends_on_place_) {
+        , depends_on_(of.depends_on_) {
         for (int k = 0; k < 3; ++k) region_[std::size_t(k)] = {region.low[k], region.high[k]};
     }
 
@@ -95,8 +95,7 @@ public:
             if (asked > most) return false;
             std::vector<Box> rest;
             for (const Box& box : undecided(open, from)) {
-                if (!divides_) return false;
-                halve(box, rest);
+                if (!halve(box, rest)) return false;
             }
             open = std::move(rest);
         }
@@ -130,22 +129,27 @@ private:
         return left;
     }
 
-    static void halve(const Box& box, std::vector<Box>& to) {
-        std::size_t axis = 0;
-        for (std::size_t k = 1; k < 3; ++k) {
-            if (formula::width(box[k]) > formula::width(box[axis])) axis = k;
+    // Along the widest side of those that tell; false without any.
+    bool halve(const Box& box, std::vector<Box>& to) const {
+        std::optional<std::size_t> widest;
+        for (std::size_t k = 0; k < 3; ++k) {
+            const bool is_wider = !widest || formula::width(box[k]) > formula::width(box[*widest]);
+            if (depends_on_[k] && is_wider) widest = k;
         }
+        if (!widest) return false;
+        const std::size_t axis = *widest;
         Box low = box, high = box;
         low[axis].hi = high[axis].lo = formula::mid(box[axis]);
         to.push_back(low);
         to.push_back(high);
+        return true;
     }
 
     formula::Bindings<Interval> bindings_;
     formula::Evaluator<Interval> program_;
     std::size_t outputs_;
     Box region_;
-    bool divides_;
+    std::array<bool, 3> depends_on_;
 };
 
 std::optional<double> LeastAtRoots::enough(const formula::Bindings<float>& bindings,

@@ -6,6 +6,7 @@
 // for the least element of one array.
 #pragma once
 
+#include <array>
 #include <optional>
 #include <span>
 #include <vector>
@@ -28,7 +29,7 @@ private:
     class Search;
 
     std::size_t array_;
-    bool depends_on_place_ = false;
+    std::array<bool, 3> depends_on_{}; // x, y and z, beside L
     // Inputs: x y z L -> F and dF/dL, then the same for each part whose signs determine F's sign:
     // for a and b where F is min(a, b), max(a, b) or a*b.
     formula::Program program_;

@@ -189,6 +189,22 @@ TEST_P(Grid, CubicsLoseNothingOfEqualKeys) {
     EXPECT_LT(found.farthest, 1e-2);
 }
 
+// Where each element may matter nearly everywhere, cells are small enough for bounds all the same.
+TEST_P(Grid, NoRayGivesUpAmongThousands) {
+    const std::string d = distance;
+    for (const std::string& formula : std::vector<std::string>{
+             "abs(smoothmin(least(p, sqrt(" + d + ") - 0.04*w), 0.7*z + 0.5*x + 0.8, 0.8)) - 0.01",
+             "least(p, sqrt(" + d + ") - 0.04*w)*(z + 0.3) - 0.001",
+             "min(sum(p, exp(-20*" + d + ")) - 28, z + 1)",
+         }) {
+        SCOPED_TRACE(formula);
+        const Picture picture = draw(*context, elements(formula, 6000));
+        EXPECT_EQ(count(picture, Verdict::step_limit), 0);
+        EXPECT_GT(count(picture, Verdict::hit), 150);
+        EXPECT_GT(count(picture, Verdict::miss), 100);
+    }
+}
+
 TEST_P(Grid, DrawsNoElementOneAndMoreThanAShaderCanSum) {
     const std::string formula = std::string("0.3 - sum(p, max(0, 1 - 4000*") + distance + ")^3)";
     scene::Scene many = elements(formula, 70'000);

@@ -129,9 +129,13 @@ inline constexpr Family least_families[] = {
      " + (y-cy-0.2*gxy*max(0, min(1, gxx*(x-cx) + gxy*(y-cy))))^2 + (z-cz)^2) - 0.5*r)",
      true},
     {"fourth powers", "min(least(p, (x-cx)^4 + (y-cy)^4 + (z-cz)^4 - (0.4*r)^4), z + 0.7)", true},
-    {"tori",
-     "least(p, sqrt((sqrt((x-cx)^2 + (y-cy)^2) - 0.4*r)^2 + (z-cz)^2) - 0.15*r)", true},
+    {"tori", "least(p, sqrt((sqrt((x-cx)^2 + (y-cy)^2) - 0.4*r)^2 + (z-cz)^2) - 0.15*r)", true},
     {"rods", "least(p, sqrt((x-cx)^2 + (y-cy)^2) - 0.2*r)", true},
+    // Roots that depend on a least of up to h and more.
+    {"a wide blend",
+     "abs(smoothmin(least(p, sqrt((x-cx)^2 + (y-cy)^2 + (z-cz)^2) - 0.4*r), 0.6*z + 0.5*x + 0.2, "
+     "h)) - 0.02",
+     true},
 };
 
 // `spacing`: about a kernel's width, of elements in the ball of radius 1.

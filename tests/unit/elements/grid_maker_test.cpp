@@ -194,15 +194,38 @@ TEST(GridMaker, IsOfOneLeastAndNoSums) {
     EXPECT_FALSE(may("least(p, sin(x*cx)*sin(y*cy))"));
 }
 
-// 1/L grows towards 0 for ever, so what is far counts: lists hold all.
-TEST(GridMaker, LeavesOutNothingWhereRootsDependOnTheLeastAnywhere) {
+// 1/L grows towards 0 for ever, so what is far counts. Lists hold what may be the least in a cell.
+TEST(GridMaker, FindsTheLeastWhereRootsDependOnItAnywhere) {
     std::mt19937 draw(6);
     const auto field = formula::make_field("z*least(p, sqrt((x-cx)^2 + (y-cy)^2 + (z-cz)^2)) - 0.2",
                                            family_vocabulary());
-    const auto values = drawn_elements(draw, 100, 0.1);
+    const auto values = drawn_elements(draw, 3000, 0.06);
+    const auto all = formula::convert<double>(values);
     const ElementGrid grid = GridMaker::of(field, 0)->make(values, ball, {});
-    EXPECT_EQ(grid.longest, 100u);
     EXPECT_EQ(grid.least, formula::Operations<float>::least_of_none());
+    EXPECT_LT(grid.usual_count(), 100);
+    formula::FieldEvaluator<double> evaluator(field);
+    // Also a little beyond the grid, whose outermost cells hold what is there.
+    std::uniform_real_distribution<double> place(-1.15, 1.15);
+    for (int k = 0; k < 1000; ++k) {
+        const std::array p{place(draw), place(draw), place(draw)};
+        const auto list = grid.list(grid.at(grid.place({p[0], p[1], p[2]})));
+        EXPECT_EQ(evaluator.value(only(all, list), p), evaluator.value(all, p))
+            << testing::PrintToString(p);
+    }
+}
+
+// Flat axes keep one cell.
+TEST(GridMaker, DividesNoCellsAlongFlatAxes) {
+    std::mt19937 draw(7);
+    const auto field =
+        formula::make_field("x*least(p, sqrt((x-cx)^2 + (y-cy)^2)) + z - 0.2", family_vocabulary());
+    const ElementGrid grid =
+        GridMaker::of(field, 0)->make(drawn_elements(draw, 3000, 0.06), ball, {.across = 50});
+    EXPECT_LE(grid.across.x, 50);
+    EXPECT_EQ(grid.cells.size(),
+              std::size_t(grid.across.x) * std::size_t(grid.across.y) * std::size_t(grid.across.z));
+    EXPECT_LT(grid.usual_count(), 300);
 }
 
 TEST(GridMaker, ListsKeepWithinTheirLimit) {
