@@ -32,6 +32,24 @@ bool looks_like_scene(const std::string& word) {
     return std::ranges::count(scene::animation_names(), word) > 0;
 }
 
+// "-x^2 - y^2 + 1": no option of one letter has a name that a formula begins with.
+bool is_formula_with_minus(const std::string& word) {
+    return word.size() > 1 && word[0] == '-' && word[1] != '-' && word[1] != 'o' &&
+           word[1] != 'h' && looks_like_formula(word);
+}
+
+// A formula that begins with a minus goes behind all options, where -- says that it is none.
+std::vector<std::string> with_formula_last(std::vector<std::string> words) {
+    const auto formula = std::ranges::find_if(words, is_formula_with_minus);
+    if (formula == words.end() || formula == words.begin()) return words;
+    if (std::ranges::count(words, "--") > 0) return words;
+    std::string last = std::move(*formula);
+    words.erase(formula);
+    words.emplace_back("--");
+    words.push_back(std::move(last));
+    return words;
+}
+
 std::string line_in_quotes(const std::string& word) {
     const std::string one_line = base::printable_line(word);
     return farm::shell_word(one_line);
@@ -62,7 +80,7 @@ std::vector<std::string> understood(std::vector<std::string> words, const Comman
     } else if (words.size() == 2 && words.back() == "help" && find(tree, words.front())) {
         words.back() = "--help";
     }
-    return words;
+    return with_formula_last(std::move(words));
 }
 
 std::string why_no_command(const std::vector<std::string>& words, const CommandTree& tree) {

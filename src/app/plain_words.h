@@ -11,8 +11,9 @@ namespace isomotion::app {
 // The text that `isomotion` prints without arguments.
 std::string first_words();
 
-// Converts "help", "help render" and "render help" to the command line that they mean; returns
-// others unchanged. `words` are the arguments after the program's name.
+// Converts "help", "help render" and "render help" to the command line that they mean, and puts a
+// formula that begins with a minus where it is no option; returns others unchanged. `words` are the
+// arguments after the program's name.
 std::vector<std::string> understood(std::vector<std::string> words, const CommandTree& tree);
 
 // Why the first word is not a command, and what to write instead; empty if it is a command or an

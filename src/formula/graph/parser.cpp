@@ -271,13 +271,14 @@ private:
 
     // What to write for functions of other languages, whose names stay free for parameters.
     static std::string_view what_to_write_for(std::string_view name) {
-        constexpr std::array<std::array<std::string_view, 2>, 15> others{{
+        constexpr std::array<std::array<std::string_view, 2>, 17> others{{
             {"atan2", "2*atan(y/(sqrt(x^2 + y^2) + x)) for atan2(y, x), which jumps by a turn"},
             {"cbrt", "sign(a)*abs(a)^(1/3) for cbrt(a)"},
             {"ceil", "-floor(-a) for ceil(a)"},
             {"clamp", "min(max(a, b), c) for clamp(a, b, c)"},
             {"exp2", "2^a for exp2(a)"},
             {"fract", "a - floor(a) for fract(a)"},
+            {"if", "min, max, abs or sign for if, which jumps"},
             {"hypot", "sqrt(a^2 + b^2) for hypot(a, b)"},
             {"length", "sqrt(a^2 + b^2 + c^2) for length(a, b, c)"},
             {"log10", "log(a)/log(10) for log10(a)"},
@@ -288,6 +289,7 @@ private:
             {"smoothmax", "-smoothmin(-a, -b, k) for smoothmax(a, b, k)"},
             {"smoothstep",
              "u^2*(3 - 2*u) for smoothstep(a, b, c), with u = min(max((c - a)/(b - a), 0), 1)"},
+            {"step", "min(max(sign(b - a), 0), 1) for step(a, b), which jumps"},
         }};
         for (const auto& [other, plain] : others) {
             if (name == other) return plain;
@@ -478,6 +480,7 @@ private:
                                      ? fmt::format("; a product is written '{}'", product)
                                  : word == "t"  ? "; time moves parameters: name one here, as T, "
                                                   "and write T = \"t\" under [parameters]"
+                                 : word == "e"  ? "; write exp(x) for e^x"
                                  : near.empty() ? fmt::format("; known: {}", join(known))
                                                 : fmt::format("; did you mean '{}'?", near);
         fail(begin, fmt::format("unknown name '{}'{}", word, hint));

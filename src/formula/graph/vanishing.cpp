@@ -22,11 +22,23 @@ std::vector<NodeId> vanishing(Graph& g, NodeId root) {
         case Op::constant:
             is_0[id] = node.value == 0 ? one : zero;
             break;
+        case Op::parameter:
+            is_0[id] = g.select(zero, g.unary(Op::abs, id), zero, one);
+            break;
         case Op::negate:
         case Op::abs:
         case Op::sqrt:
         case Op::sin:
+        case Op::tan:
+        case Op::sinh:
+        case Op::tanh:
+        case Op::asin:
+        case Op::atan:
+        case Op::sign:
             is_0[id] = is_0[a];
+            break;
+        case Op::floor:
+            is_0[id] = g.add(is_0[a], g.select(a, zero, zero, g.select(a, one, one, zero)));
             break;
         case Op::add:
         case Op::subtract:

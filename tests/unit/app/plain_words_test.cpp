@@ -38,6 +38,18 @@ TEST_F(PlainWords, HelpIsAskedForInAnyWay) {
     EXPECT_THAT(understood({}, tree()), testing::IsEmpty());
 }
 
+TEST_F(PlainWords, AFormulaMayBeginWithAMinus) {
+    EXPECT_THAT(understood({"render", "-x^2 + y = 1", "-o", "a.png"}, tree()),
+                ElementsAre("render", "-o", "a.png", "--", "-x^2 + y = 1"));
+    EXPECT_THAT(understood({"show", "-log(x)"}, tree()), ElementsAre("show", "--", "-log(x)"));
+    const std::vector<std::string> as_they_are[] = {
+        {"render", "-o", "a(1).png", "x"}, {"render", "-oa(1).png", "x"}, {"show", "--", "-x^2"},
+        {"show", "x", "--set", "a=-1"},    {"show", "--stage=x", "y"},    {"-x^2"},
+    };
+    for (const std::vector<std::string>& words : as_they_are)
+        EXPECT_EQ(understood(words, tree()), words);
+}
+
 TEST_F(PlainWords, ASceneWithoutACommandIsToldTwo) {
     for (const char* scene : {"ring.toml", "a.jsurf", "x^2 + y^2 = 1", "blobby75"}) {
         const std::string why = why_no_command({scene}, tree());

@@ -43,6 +43,26 @@ private:
     Program value_, without_, within_;
 };
 
+// Rays would look for its value all along.
+TEST(WithoutValue, IsCertainWhereAParameterIs0) {
+    Graph g;
+    const NodeId root = parse(g, "z - sin(a*x)/a + y*floor(c*y)/c");
+    const Program program = schedule(g, std::array{without_value(g, root)});
+    const Interval some(1, 2);
+    const std::array<Interval, 3> box{some, some, some};
+    for (const std::array<double, 2>& ac : {std::array{0.0, 1.0}, {1.0, 0.0}, {-0.0, 0.0}}) {
+        Bindings<double> bindings = test_bindings();
+        bindings.parameters[0] = ac[0];
+        bindings.parameters[2] = ac[1];
+        Interval found;
+        Evaluator<Interval>(program).point(convert<Interval>(bindings), box, {&found, 1});
+        EXPECT_GT(found.lo, 0) << ac[0] << ", " << ac[1];
+    }
+    Interval found;
+    Evaluator<Interval>(program).point(convert<Interval>(test_bindings()), box, {&found, 1});
+    EXPECT_EQ(found, Interval(0));
+}
+
 TEST(WithoutValue, IsCertainWhereNoPointHasOne) {
     const Interval below{-2, -1}, across{-1, 1}, above{1, 2};
     struct Case {
@@ -77,6 +97,12 @@ TEST(WithoutValue, IsCertainWhereNoPointHasOne) {
                   {0, 0.1},
                   false},
              Case{"y - sum(blobs, max(0, cx - x)^3*y)/sum(blobs, max(0, cx - x)^3)", above, true},
+             // 0/0 by functions that are 0 at 0.
+             Case{"z - tanh(max(0, b)*x)/max(0, b)", above, true}, // b is -0.75
+             Case{"z - floor(max(0, b)*x)/max(0, b)", above, true},
+             Case{"z - floor(x/4)/max(0, b)", above, true},
+             Case{"z - floor(x)/max(0, b)", above, false},
+             Case{"z - cos(max(0, b)*x)/max(0, b)", above, false},
              // What chooses, cuts or compares may have a value all the same.
              Case{"min(y, log(x))", below, false},
              Case{"max(y, log(x))", below, false},

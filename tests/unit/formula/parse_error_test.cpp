@@ -58,6 +58,8 @@ INSTANTIATE_TEST_SUITE_P(
                     Mistake{"2 sum", "sum needs parentheses", 3},
                     Mistake{"atan2(y, x)", "which jumps by a turn", 1},
                     Mistake{"x + mod(y, 2)", "'mod': write a - b*floor(a/b) for mod(a, b)", 5},
+                    Mistake{"if(x > 0, y, z)", "write min, max, abs or sign for if", 1},
+                    Mistake{"e^x - y", "unknown name 'e'; write exp(x) for e^x", 1},
                     Mistake{"round(x)", "write floor(a + 0.5) for round(a)", 1},
                     Mistake{"x % 2", "unexpected '%': write a - b*floor(a/b) for the rest", 3},
                     Mistake{"|x", "expected '|' to close the absolute value", 3},
