@@ -7,7 +7,7 @@ uniform IM_BUFFER_OF_UINTS listed_texture; // elements
 #define GRID_LOW array_grid[0].xyz
 #define GRID_CELL array_grid[1].xyz
 #define GRID_ACROSS ivec3(array_grid[2].xyz)
-// No element left out of a list has a smaller key.
+// An element left out of a list has no smaller key, or is the least nowhere in the cell.
 #define GRID_LEAST array_grid[0].w
 // Length of the longest list.
 #define GRID_LONGEST array_grid[1].w

@@ -1,5 +1,5 @@
 // Bounds over a box of numbers REAL: the hull of the bounds over its parts in each cell. A box has
-// no bounds if it meets more than MOST_CELLS cells, or these have too many elements.
+// no bounds if it meets more than MOST_CELLS cells or takes more than MOST_ELEMENTS elements.
 
 struct CellRange {
     ivec3 first, last;
@@ -15,15 +15,15 @@ bool are_empty(ivec3 first, ivec3 last) {
     return (cell.x & 0xfffffu) == 0u && max(reach.x, max(reach.y, reach.z)) <= around;
 }
 
-// Elements of all cells of a range.
-float elements_of(ivec3 first, ivec3 last) {
+// Length of the longest list of a range's cells.
+float longest_of(ivec3 first, ivec3 last) {
     ivec3 n = last - first + 1;
-    float all = 0.0;
+    uint longest = 0u;
     for (int k = 0; k < n.x * n.y * n.z; ++k) {
         ivec3 place = first + ivec3(k % n.x, k / n.x % n.y, k / (n.x * n.y));
-        all += float(read_cell(place).x & 0xfffffu);
+        longest = max(longest, read_cell(place).x & 0xfffffu);
     }
-    return all;
+    return float(longest);
 }
 
 CellRange cells_of_box(REAL2 rx, REAL2 ry, REAL2 rz) {
@@ -37,10 +37,10 @@ CellRange cells_of_box(REAL2 rx, REAL2 ry, REAL2 rz) {
     int cells = bounded ? n.x * n.y * n.z : MOST_CELLS + 1;
     if (cells > MOST_CELLS) return CellRange(first, last, true, false);
     float others = float(cells * GRID_OTHERS);
-    // Neighbours go through single cells together.
-    float most = float(cells == 1 ? 2 * MOST_ELEMENTS : MOST_ELEMENTS_OF_CELLS);
+    // Neighbours wait for the longest list of each turn.
+    float most = float(MOST_ELEMENTS);
     bool too_many = float(cells) * GRID_LONGEST + others > most;
-    if (too_many) too_many = elements_of(first, last) + others > most;
+    if (too_many) too_many = float(cells) * longest_of(first, last) + others > most;
     return CellRange(first, last, too_many, false);
 }
 

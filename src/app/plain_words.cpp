@@ -21,7 +21,7 @@ const CommandText* find(const CommandTree& tree, const std::string& name) {
 
 // Signs that no file's name and no option needs.
 bool looks_like_formula(const std::string& word) {
-    return word.find_first_of("^*+=()|") != word.npos;
+    return word.find_first_of("^*+=()|<>%") != word.npos;
 }
 
 bool looks_like_scene(const std::string& word) {
@@ -42,6 +42,7 @@ bool is_formula_with_minus(const std::string& word) {
 std::vector<std::string> with_formula_last(std::vector<std::string> words) {
     const auto formula = std::ranges::find_if(words, is_formula_with_minus);
     if (formula == words.end() || formula == words.begin()) return words;
+    if (std::prev(formula)->starts_with('-')) return words; // an option's value
     if (std::ranges::count(words, "--") > 0) return words;
     std::string last = std::move(*formula);
     words.erase(formula);

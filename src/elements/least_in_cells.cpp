@@ -1,9 +1,12 @@
 #include "elements/least_in_cells.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
 #include <numeric>
+#include <span>
+#include <utility>
 #include <vector>
 
 #include "base/workers.h"
@@ -13,13 +16,15 @@ namespace isomotion::elements {
 namespace {
 
 constexpr std::uint32_t longest_kept = 24; // lists up to that are not looked at
-constexpr int crowded = 32;                // in lists that are worth shorter ones in smaller cells
+// Cells are divided while their lists are longer, and the parts' lists so much shorter.
+constexpr int crowded = 32;
+constexpr double shorter = 0.9;
 constexpr std::size_t most_entries = 1 << 23;
-constexpr std::size_t elements_at_a_time = 64; // of one thread
-constexpr float same_key = 0x1p-14f;           // part of a key that float32 may not tell
+constexpr std::size_t elements_at_a_time = 64; // that a thread takes
+constexpr float same_key = 0x1p-14f; // keys that differ by this part may be equal in float32
 constexpr float infinite = std::numeric_limits<float>::infinity();
 
-// An element in a cell's list, with bounds of its key there.
+// An element in a cell's list.
 struct Entry {
     std::uint32_t cell = 0, at = 0; // place in `listed`
 };
@@ -120,11 +125,14 @@ void shorten(ElementGrid& grid, const Region& region, const ElementTerms& terms,
 
 // The grid with cells of half the sides. What was known of a cell holds for its parts.
 ElementGrid divided(const ElementGrid& grid, const glm::ivec3& parts) {
-    ElementGrid fine = grid;
+    ElementGrid fine;
+    fine.array = grid.array;
+    fine.low = grid.low;
     fine.across = parts * grid.across;
     fine.cell = grid.cell / glm::dvec3(parts);
-    fine.cells.clear();
-    fine.listed.clear();
+    fine.longest = grid.longest;
+    fine.left_out = grid.left_out;
+    fine.least = grid.least;
     const int least_parts = std::min({parts.x, parts.y, parts.z});
     for (int z = 0; z < fine.across.z; ++z) {
         for (int y = 0; y < fine.across.y; ++y) {
@@ -154,16 +162,23 @@ ElementGrid divided(const ElementGrid& grid, const glm::ivec3& parts) {
 
 void keep_possible_least(ElementGrid& grid, const Region& region, const ElementTerms& terms,
                          const glm::bvec3& is_flat, const GridLimits& limits) {
-    if (grid.longest <= longest_kept || grid.listed.size() > most_entries) return;
+    const std::size_t most_listed = std::min(most_entries, limits.listed);
+    if (grid.longest <= longest_kept || grid.listed.size() > most_listed) return;
+    std::size_t entries = 0;
+    for (const Cell& cell : grid.cells) entries += cell.elements();
+    if (entries != grid.listed.size()) return; // layers along a flat axis share their lists
     shorten(grid, region, terms, limits.threads);
     const glm::ivec3 parts = glm::mix(glm::ivec3(2), glm::ivec3(1), is_flat);
     const auto times = std::size_t(parts.x * parts.y * parts.z);
     const double most = cells_worth_while(std::size_t(terms.count()));
     while (times > 1 && grid.usual_count() > crowded && double(times * grid.cells.size()) <= most &&
-           times * grid.listed.size() <= most_entries &&
+           times * grid.listed.size() <= most_listed &&
            glm::all(glm::lessThanEqual(parts * grid.across, glm::ivec3(limits.across)))) {
-        grid = divided(grid, parts);
-        shorten(grid, region, terms, limits.threads);
+        ElementGrid fine = divided(grid, parts);
+        shorten(fine, region, terms, limits.threads);
+        const bool has_few_cells = fine.cells.size() < 512; // as wide as the outermost ones count
+        if (!has_few_cells && fine.usual_count() > shorter * grid.usual_count()) break;
+        grid = std::move(fine);
     }
 }
 

@@ -10,8 +10,8 @@ namespace isomotion::elements {
 // some other element of the list has a smaller key everywhere in it. So the least at each place
 // stays, and each list keeps an element. The outermost cells count as twice as wide, as places
 // beyond the grid belong to them. Where lists stay long, cells are divided along the axes that
-// aren't flat: a grid has cells as large as the sets in which elements matter, and each may matter
-// everywhere.
+// aren't flat, as few elements may be the least in a small cell. Leaves grids alone whose cells
+// share lists.
 void keep_possible_least(ElementGrid& grid, const Region& region, const ElementTerms& terms,
                          const glm::bvec3& is_flat, const GridLimits& limits);
 

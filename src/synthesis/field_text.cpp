@@ -208,10 +208,9 @@ FunctionParts parts_of(const formula::Field& field, FieldPrograms& all, FieldFun
 }
 
 // What cells count by: loops of a shader end, unasked, after some 65,000 turns in all. One
-// evaluation in a cell takes its elements and GRID_OTHERS turns more. A pass doesn't go on after
-// MOST_ELEMENTS: eight neighbours, each in cells of its own, share its loops. A box in one cell has
-// twice as many at most, which is 0.6 of the turns there are for the four functions of a piece, and
-// one in several cells has MOST_ELEMENTS_OF_CELLS.
+// evaluation in a cell takes its elements and GRID_OTHERS turns more. No box has more than
+// MOST_ELEMENTS: with the functions of a piece (four) that is a third of the turns there are. Nor
+// does a pass go on after as many: eight neighbours, each in cells of its own, share its loops.
 void define_grid_limits(ShaderText& text, const formula::Field& field, const FieldStorage& storage,
                         const std::vector<FieldFunction>& functions) {
     const auto array = array_with_grid(storage);
@@ -228,7 +227,6 @@ void define_grid_limits(ShaderText& text, const formula::Field& field, const Fie
     text.define("MOST_CELLS", most_cells_of_box);
     text.define("GRID_OTHERS", int(std::min(turns, 1e6)));
     text.define("MOST_ELEMENTS", int(0.075 * loop_iterations_per_pass / loops));
-    text.define("MOST_ELEMENTS_OF_CELLS", int(0.12 * loop_iterations_per_pass / loops));
 }
 
 // What lists leave out of each own sum: so many times the grid's bound, as intervals.

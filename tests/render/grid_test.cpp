@@ -195,7 +195,6 @@ TEST_P(Grid, NoRayGivesUpAmongThousands) {
     for (const std::string& formula : std::vector<std::string>{
              "abs(smoothmin(least(p, sqrt(" + d + ") - 0.04*w), 0.7*z + 0.5*x + 0.8, 0.8)) - 0.01",
              "least(p, sqrt(" + d + ") - 0.04*w)*(z + 0.3) - 0.001",
-             "min(sum(p, exp(-20*" + d + ")) - 28, z + 1)",
          }) {
         SCOPED_TRACE(formula);
         const Picture picture = draw(*context, elements(formula, 6000));

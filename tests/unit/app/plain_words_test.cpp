@@ -43,8 +43,9 @@ TEST_F(PlainWords, AFormulaMayBeginWithAMinus) {
                 ElementsAre("render", "-o", "a.png", "--", "-x^2 + y = 1"));
     EXPECT_THAT(understood({"show", "-log(x)"}, tree()), ElementsAre("show", "--", "-log(x)"));
     const std::vector<std::string> as_they_are[] = {
-        {"render", "-o", "a(1).png", "x"}, {"render", "-oa(1).png", "x"}, {"show", "--", "-x^2"},
-        {"show", "x", "--set", "a=-1"},    {"show", "--stage=x", "y"},    {"-x^2"},
+        {"render", "-o", "a(1).png", "x"},  {"render", "-oa(1).png", "x"}, {"show", "--", "-x^2"},
+        {"show", "x", "--set", "a=-1"},     {"show", "--stage=x", "y"},    {"-x^2"},
+        {"render", "x", "--step", "-1e+1"},
     };
     for (const std::vector<std::string>& words : as_they_are)
         EXPECT_EQ(understood(words, tree()), words);

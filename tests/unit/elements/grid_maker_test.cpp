@@ -215,17 +215,32 @@ TEST(GridMaker, FindsTheLeastWhereRootsDependOnItAnywhere) {
     }
 }
 
-// Flat axes keep one cell.
-TEST(GridMaker, DividesNoCellsAlongFlatAxes) {
+// Cells in layers along the rods share their lists.
+TEST(GridMaker, CrowdedRodsOnAFloorKeepTheirLeast) {
     std::mt19937 draw(7);
-    const auto field =
-        formula::make_field("x*least(p, sqrt((x-cx)^2 + (y-cy)^2)) + z - 0.2", family_vocabulary());
-    const ElementGrid grid =
-        GridMaker::of(field, 0)->make(drawn_elements(draw, 3000, 0.06), ball, {.across = 50});
-    EXPECT_LE(grid.across.x, 50);
-    EXPECT_EQ(grid.cells.size(),
-              std::size_t(grid.across.x) * std::size_t(grid.across.y) * std::size_t(grid.across.z));
-    EXPECT_LT(grid.usual_count(), 300);
+    const auto field = formula::make_field(
+        "min(least(p, sqrt((x-cx)^2 + (y-cy)^2) - 0.4*r), z + 0.7)", family_vocabulary());
+    const auto values = drawn_elements(draw, 3000, 0.3);
+    const auto all = formula::convert<double>(values);
+    const ElementGrid grid = GridMaker::of(field, 0)->make(values, ball, {.threads = 2});
+    EXPECT_GT(grid.longest, 24u);
+    formula::FieldEvaluator<double> evaluator(field);
+    std::uniform_real_distribution<double> place(-1.1, 1.1);
+    for (int k = 0; k < 1000; ++k) {
+        const std::array p{place(draw), place(draw), place(draw)};
+        const auto list = grid.list(grid.at(grid.place({p[0], p[1], p[2]})));
+        EXPECT_EQ(evaluator.value(only(all, list), p) < 0, evaluator.value(all, p) < 0)
+            << testing::PrintToString(p);
+    }
+}
+
+TEST(GridMaker, DividedCellsKeepWithinTheLimitOfLists) {
+    std::mt19937 draw(8);
+    const auto field = formula::make_field("z*least(p, sqrt((x-cx)^2 + (y-cy)^2 + (z-cz)^2)) - 0.2",
+                                           family_vocabulary());
+    const auto values = drawn_elements(draw, 3000, 0.06);
+    const ElementGrid grid = GridMaker::of(field, 0)->make(values, ball, {.listed = 20'000});
+    EXPECT_LE(grid.listed.size(), 20'000u);
 }
 
 TEST(GridMaker, ListsKeepWithinTheirLimit) {
