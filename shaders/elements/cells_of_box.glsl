@@ -37,10 +37,10 @@ CellRange cells_of_box(REAL2 rx, REAL2 ry, REAL2 rz) {
     int cells = bounded ? n.x * n.y * n.z : MOST_CELLS + 1;
     if (cells > MOST_CELLS) return CellRange(first, last, true, false);
     float others = float(cells * GRID_OTHERS);
-    // Neighbours wait for the longest list of each turn.
     float most = float(MOST_ELEMENTS);
     bool too_many = float(cells) * GRID_LONGEST + others > most;
-    if (too_many) too_many = float(cells) * longest_of(first, last) + others > most;
+    // Neighbours meet other cells, and each turn takes as long as the longest list among them.
+    if (too_many) too_many = float(cells) * longest_of(first, last) + others > 0.5 * most;
     return CellRange(first, last, too_many, false);
 }
 

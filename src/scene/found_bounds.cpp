@@ -71,7 +71,7 @@ std::optional<std::vector<Values>> values_of_frames(const Scene& scene) {
             cover(all.back(), now);
         }
     }
-    // What rests is looked for once.
+    // Neighbouring groups with the same values are searched once.
     const auto same = std::ranges::unique(all);
     all.erase(same.begin(), same.end());
     return all;

@@ -22,7 +22,7 @@ constexpr double grows_from = 0.25;
 // Rays of a picture at rest.
 constexpr int most_audited = 16'384;
 
-// A scene's first picture, whose cost nothing tells yet, has an eighth of the pixels.
+// The cost of a scene's first picture is unknown, so it has an eighth of the pixels.
 constexpr int first_rung = 6;
 
 } // namespace
