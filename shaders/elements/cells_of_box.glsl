@@ -39,8 +39,9 @@ CellRange cells_of_box(REAL2 rx, REAL2 ry, REAL2 rz) {
     float others = float(cells * GRID_OTHERS);
     float most = float(MOST_ELEMENTS);
     bool too_many = float(cells) * GRID_LONGEST + others > most;
-    // Neighbours meet other cells, and each turn takes as long as the longest list among them.
-    if (too_many) too_many = float(cells) * longest_of(first, last) + others > 0.5 * most;
+    // A turn takes neighbours as long as the longest list among them. So not the sum of these cells'
+    // lists counts, but the longest one for each.
+    if (too_many) too_many = float(cells) * longest_of(first, last) + others > most;
     return CellRange(first, last, too_many, false);
 }
 
