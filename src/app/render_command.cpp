@@ -106,6 +106,16 @@ bool has_hits(const sequence::ExportTotals& totals) {
            0;
 }
 
+// Rays that end undecided may have missed something, unless F is proved to have no zero.
+std::string why_no_hit(const sequence::ExportTotals& totals, const std::string& whose,
+                       const scene::Sight& sight) {
+    const std::int64_t undecided = totals.verdicts[std::size_t(render::Verdict::nan)] +
+                                   totals.verdicts[std::size_t(render::Verdict::step_limit)];
+    if (undecided > 0 && !sight.values)
+        return fmt::format("no ray is known to hit anything: {} ended undecided", undecided);
+    return fmt::format("no ray hits anything: {}{}", whose, scene::why_nothing_is_seen(sight));
+}
+
 int stopped() {
     message("stopped; the frames written are whole, --resume renders the rest\n");
     return exit_interrupted;
@@ -159,8 +169,7 @@ int render(const RenderArguments& arguments) {
     // Frames that an earlier run wrote may show something.
     const bool is_all = totals.drawn + totals.reused == std::int64_t(options.frames.size());
     if (is_all && !has_hits(totals))
-        warn(fmt::format("no ray hits anything: {}{}", sights.front().first,
-                         scene::why_nothing_is_seen(sights.front().second)));
+        warn(why_no_hit(totals, sights.front().first, sights.front().second));
     say(summary(totals, std::chrono::steady_clock::now() - begin));
     say(fmt::format("frames: {}\n", options.output));
     if (options.movies.empty()) return exit_done;

@@ -112,5 +112,18 @@ size = [49, 49]
     EXPECT_EQ(hits(drawn(scene, {"--set", "m=0"}, "no ray hits anything")), 0);
 }
 
+// Whether a ray that gave up would have met something is not known.
+TEST_F(HardScenes, RaysThatGiveUpAreNotSaidToMiss) {
+    const std::string scene = R"toml([surface]
+formula = "sin(3*x) + sin(3*y) + sin(3*z)"
+bounds = { sphere = 2 }
+[isolation]
+limit = 1
+[output]
+size = [32, 32]
+)toml";
+    EXPECT_EQ(hits(drawn(scene, {}, "no ray is known to hit anything: ")), 0);
+}
+
 } // namespace
 } // namespace isomotion::cli

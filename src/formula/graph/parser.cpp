@@ -480,7 +480,7 @@ private:
                                      ? fmt::format("; a product is written '{}'", product)
                                  : word == "t"  ? "; time moves parameters: name one here, as T, "
                                                   "and write T = \"t\" under [parameters]"
-                                 : word == "e"  ? "; write exp(x) for e^x"
+                                 : word == "e" && near.empty() ? "; write exp(x) for e^x"
                                  : near.empty() ? fmt::format("; known: {}", join(known))
                                                 : fmt::format("; did you mean '{}'?", near);
         fail(begin, fmt::format("unknown name '{}'{}", word, hint));
@@ -497,6 +497,12 @@ private:
         if (std::isdigit(static_cast<unsigned char>(peek())) || peek() == '|')
             fail(at_, fmt::format("expected an operator before '{}'", peek()));
         if (peek() == ')') fail(at_, "this ')' closes nothing");
+        if (peek() == ';') fail(at_, "unexpected ';': a formula ends without it");
+        const auto is_digit = [&](std::size_t at) {
+            return at < text_.size() && std::isdigit(static_cast<unsigned char>(text_[at]));
+        };
+        if (peek() == ',' && at_ > 0 && is_digit(at_ - 1) && is_digit(at_ + 1))
+            fail(at_, "unexpected ',': numbers are written with a point, as 1.5");
         std::size_t length = 1; // a whole UTF-8 character
         while (at_ + length < text_.size() && continues_character(text_[at_ + length])) ++length;
         const std::string_view sign = text_.substr(at_, length);
