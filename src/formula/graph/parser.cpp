@@ -478,8 +478,8 @@ private:
         const std::string product = as_product(word, known);
         const std::string hint = !product.empty()
                                      ? fmt::format("; a product is written '{}'", product)
-                                 : word == "t"  ? "; time moves parameters: name one here, as T, "
-                                                  "and write T = \"t\" under [parameters]"
+                                 : word == "t" ? "; time moves parameters: name one here, as T, "
+                                                 "and write T = \"t\" under [parameters]"
                                  : word == "e" && near.empty() ? "; write exp(x) for e^x"
                                  : near.empty() ? fmt::format("; known: {}", join(known))
                                                 : fmt::format("; did you mean '{}'?", near);
