@@ -7,6 +7,8 @@ namespace isomotion::gpu {
 /// A rectangle of pixels, from the lower left corner.
 struct Rectangle {
     int x = 0, y = 0, width = 0, height = 0;
+
+    bool operator==(const Rectangle&) const = default;
 };
 
 void set_viewport(Rectangle area);

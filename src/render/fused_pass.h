@@ -1,6 +1,7 @@
 // Marches and shades a tile in one draw, for plain pictures whose rays end within one pass.
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include <glm/glm.hpp>
@@ -20,7 +21,8 @@ void clear_to_misses(const gpu::Target& target, const std::vector<synthesis::Cha
 
 class FusedPass {
 public:
-    // Draws into `result`, which must outlive it: colour, record and the attachments of `passes`.
+    // Draws into `result`, which must outlive it and be drawn into by nothing else: colour, record
+    // and the attachments of `passes`.
     FusedPass(const synthesis::Passes& passes, const gpu::Target& result);
 
     // The shaders don't run in empty blocks. Their pixels are misses with the colour `background`.
@@ -28,7 +30,19 @@ public:
               glm::vec4 background, const Blocks& blocks);
 
 private:
+    // The draw before, which left the pixels of its empty blocks as misses.
+    struct Before {
+        gpu::Rectangle area; // of the target
+        glm::vec4 background;
+        Blocks blocks;
+    };
+
+    // The blocks to draw: those that aren't empty, and, as open ones, those that were not before.
+    // Clears the target if it doesn't hold misses elsewhere.
+    Blocks blocks_to_draw(const gpu::Rectangle& area, glm::vec4 background, const Blocks& blocks);
+
     const gpu::Target& result_;
+    std::optional<Before> before_;
     std::vector<synthesis::Channel> channels_; // of the attachments from the third on
     gpu::Squares open_, settled_;
 };

@@ -42,6 +42,49 @@ TEST_P(Purity, FramesDoNotDependOnWhatWasDrawnBefore) {
     EXPECT_FALSE(same_bits(alone, frame(58)));
 }
 
+// Blocks that hold the background are not drawn again: the surface leaves some, moves to others,
+// vanishes, and comes back.
+TEST_P(Purity, WhatTheSurfaceLeavesIsBackgroundAgain) {
+    const std::string motion = R"toml(
+[surface.bounds]
+box = [[-3, -1, -2], [3, 1, 2]]
+[parameters]
+a = "2*sin(1.7*t)"
+r = "0.7*sin(2.3*t)"
+[camera]
+position = [0, -7, 1]
+[time]
+frames = 40
+fps = 8
+[output]
+background = [0.3, 0.1, 0.2]
+size = [104, 80]
+)toml";
+    for (const char* method : {"amp-sign", "hermite"}) {
+        for (const char* formula :
+             {"(x - a)^2 + y^2 + (z - a/3)^2 - r",
+              "exp(-4*((x - a)^2 + y^2 + (z - a/3)^2)) + exp(-9*(x^2 + y^2 + z^2)) - 1.9 + r"}) {
+            SCOPED_TRACE(std::string(method) + ", " + formula);
+            const std::string text = "[surface]\nformula = '" + std::string(formula) +
+                                     "'\n[isolation]\nmethod = '" + method + "'\n" + motion;
+            const scene::Scene scene = scene_of(text);
+            for (const auto& plan :
+                 {std::optional<MarchPlan>(), std::optional(MarchPlan{64, 64, 2000})}) {
+                Renderer renderer(*context, scene, {104, 80, every_channel, plan});
+                for (int number = 1; number <= 40; number += 3) {
+                    SCOPED_TRACE(number);
+                    const scene::SceneAt now = scene::at(scene, scene.timeline.values(number));
+                    const Picture after = renderer.draw(now);
+                    const Picture alone = draw(*context, scene, number, plan);
+                    EXPECT_TRUE(same_bits(after.frame, alone.frame));
+                    EXPECT_EQ(after.evaluations, alone.evaluations);
+                    EXPECT_EQ(after.verdicts, alone.verdicts);
+                }
+            }
+        }
+    }
+}
+
 TEST_P(Purity, TwoRenderersTakeTurns) {
     const scene::Scene a =
         scene::load("twisting_superquadric", {"look=none", "output.size=[48,48]"});
