@@ -24,8 +24,8 @@ FusedPass::FusedPass(const synthesis::Passes& passes, const gpu::Target& result)
     : result_(result)
     , channels_(passes.attachments) {}
 
-// Mesa's software renderer clears pixels of 16 bytes one by one, at 512x512 in 0.5 ms, a tenth of
-// what cheap frames take. From one frame to the next few blocks become empty.
+// Mesa's software renderer clears pixels of 16 bytes one by one, which takes a tenth of a cheap
+// frame or more. From one frame to the next few blocks become empty.
 Blocks FusedPass::blocks_to_draw(const gpu::Rectangle& area, glm::vec4 background,
                                  const Blocks& blocks) {
     Blocks drawn = blocks;
