@@ -47,12 +47,16 @@ RayState begin_at(RayState s, Ray ray, float t, float length) {
     return s;
 }
 
-// Continues a ray that begins where F has no value.
-RayState no_value_at_begin(RayState s, Ray ray) {
+// Whether a ray that begins at s.low, where F is f, is to pass a piece without a value first. Behind a
+// break, samples of such a piece may be numbers; the next piece is tried at twice the length.
+bool passes_no_value(inout RayState s, Ray ray, vec2 f) {
+    bool is_nan = im_is_nan(f.x), lacks_value = false;
     float finest = finest_at(s.low), length = max(s.other.x, finest);
-    bool passes = length <= finest || has_no_value(ray, vec2(s.low, s.low + length));
-    if (passes) return begin_at(s, ray, s.low + length, 2.0 * length);
-    return begin_at(s, ray, s.low, 0.5 * length);
+    if (is_nan || s.other.x > 0.0) lacks_value = has_no_value(ray, vec2(s.low, s.low + length));
+    if (!is_nan && !lacks_value) return false;
+    if (lacks_value || length <= finest) s = begin_at(s, ray, s.low + length, 2.0 * length);
+    else s = begin_at(s, ray, s.low, 0.5 * length);
+    return true;
 }
 
 // Moves on to t, where F is f and before which there is no root.
@@ -81,19 +85,16 @@ float least_between(float at_begin, float at_end, vec2 slope, float h) {
 RayState advance_by_bounds(RayState s, Ray ray, float t, vec2 f) {
     float h = t - s.low;
     bool is_finest = h <= finest_at(t);
-    if (im_is_nan(f.x)) {
-        if (is_finest) return begin_at(s, ray, t, h);
-        return leave_open(s, t);
-    }
+    bool lacks_value = im_is_nan(f.x);
+    if (lacks_value && is_finest) return begin_at(s, ray, t, h);
     Bounds bounds = bounds_over(ray, vec2(s.low, t), ray.direction);
     bool below = f.x < 0.0, changes = below != (s.f_low.x < 0.0);
     bool monotone = excludes_0(bounds.derivative);
     vec2 upright = below ? -bounds.derivative.yx : bounds.derivative;
     float least = least_between(abs(s.f_low.x), abs(f.x), upright, h);
-    if (excludes_0(bounds.value) || !changes && (monotone || least > 0.0)) {
-        return pass_piece(s, ray, t, f, vec3(t, f));
-    }
-    if (monotone) {
+    bool has_no_root = excludes_0(bounds.value) || !changes && (monotone || least > 0.0);
+    if (has_no_root && !lacks_value) return pass_piece(s, ray, t, f, vec3(t, f));
+    if (monotone && !lacks_value) {
         s.other = vec3(t, f);
         s.high = s.low + 0.5 * h;
         s.refinements = 0;
@@ -115,11 +116,7 @@ RayState advance_by_bounds(RayState s, Ray ray, float t, vec2 f) {
 // Returns whether intervals judged the piece up to the sample at t; s is the result. Leaves cubics
 // no pieces longer than `longest`; pieces of bounds may be longer.
 bool judge_by_intervals(inout RayState s, Ray ray, float t, vec2 f, float longest) {
-    if (s.phase == PHASE_START) {
-        if (!im_is_nan(f.x)) return false;
-        s = no_value_at_begin(s, ray);
-        return true;
-    }
+    if (s.phase == PHASE_START) return passes_no_value(s, ray, f);
     if (s.phase != PHASE_MARCH) return false;
     vec2 x, y, z;
     box_over(ray, vec2(s.low, t), x, y, z);

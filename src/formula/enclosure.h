@@ -31,7 +31,9 @@ struct EnclosurePrograms {
     // where jumps count as walls, it is the entire line where F has no bounds. The second is a
     // number above 0 over boxes where F has no value anywhere.
     Program jumps;
-    Program breaks; // as `jumps`, but jumps of F that count as walls included
+    // For marching: as `jumps`, but jumps of F that count as walls included. The second output is
+    // also above 0 where F may jump at every point, as a divisor is 0 everywhere.
+    Program breaks;
     // The value, and 0 where F is smooth, otherwise the entire line (graph/roughness.h).
     Program rough;
     bool may_lack_values = false; // if false, the second output of `jumps` is always 0

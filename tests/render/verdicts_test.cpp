@@ -68,6 +68,25 @@ TEST_P(Verdicts, WhatMinAndMaxMakeOfNoValueIsPassedInFewSteps) {
     }
 }
 
+// As at the first frame of a motion that begins with 0.
+TEST_P(Verdicts, WhatAParameterOf0DividesIsPassedInFewSteps) {
+    const Texts formulas{"z - floor(x)/s",       "z - exp(-(x^2 + y^2)/s)",
+                         "z - sin(x/s)",         "abs(x/s)^3 + y^2 + z^2 - 1",
+                         "max(x/s, y) + z",      "cos(x/s) + log(y) + z",
+                         "z - tanh(x/(2*s))",    "sqrt(x^2 + y^2)/s - z",
+                         "min(z + 0.2/s, x + y)"};
+    for (const auto& [formula, method] :
+         pairs_of(formulas, Texts{"hermite", "interval", "affine"})) {
+        SCOPED_TRACE(fmt::format("{}, {}", formula, method));
+        const std::string rest =
+            fmt::format("[isolation]\nmethod = '{}'\n[parameters]\ns = ", method);
+        const Picture picture = draw_formula(formula, rest + "0\n");
+        EXPECT_EQ(count(picture, Verdict::miss), 48 * 48);
+        EXPECT_LT(double(picture.evaluations), 100.0 * 48 * 48);
+        EXPECT_GT(count(draw_formula(formula, rest + "0.3\n"), Verdict::hit), 100);
+    }
+}
+
 TEST_P(Verdicts, ARayThatGivesUpIsNoMiss) {
     const Picture picture =
         draw_formula("x^2 + y^2 + z^2 - 1e-4", "[isolation]\nmethod = 'amp-sign'\nlimit = 5\n");

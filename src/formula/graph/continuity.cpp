@@ -175,6 +175,14 @@ NodeId within_gaps(Graph& g, NodeId root) {
     return all_below(g, root, [&](Graph& to, NodeId id) { return is_nowhere(to, id, is_0); });
 }
 
+NodeId divided_by_0(Graph& g, NodeId root) {
+    const std::vector<NodeId> is_0 = vanishing(g, root);
+    return all_below(g, root, [&](Graph& to, NodeId id) {
+        const Node node = to[id];
+        return node.op == Op::divide ? is_0[node.children[1]] : to.constant(0);
+    });
+}
+
 NodeId kinks(Graph& g, NodeId root) { return all_below(g, root, unless_without_kink); }
 
 } // namespace isomotion::formula

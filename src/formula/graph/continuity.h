@@ -47,4 +47,9 @@ NodeId without_value(Graph& graph, NodeId root);
 // x < 0, but has no surface there.
 NodeId within_gaps(Graph& graph, NodeId root);
 
+// Above 0 over boxes where some divisor is 0 everywhere, whatever the root makes of that; at least
+// 0 over all other boxes. The root may jump at each point of such a box, by jumps(), so it holds no
+// root: z - exp(-x^2/s) has no surface where s = 0.
+NodeId divided_by_0(Graph& graph, NodeId root);
+
 } // namespace isomotion::formula

@@ -22,6 +22,7 @@ public:
         Graph g = graph_;
         without_ = schedule(g, std::array{without_value(g, root)});
         within_ = schedule(g, std::array{within_gaps(g, root), gaps(g, root)});
+        by_0_ = schedule(g, std::array{divided_by_0(g, root), jumps(g, root)});
     }
 
     Interval without_value_over(const Box& box) const {
@@ -35,12 +36,18 @@ public:
         Evaluator<Interval>(within_).point(bindings_, box, result);
         return result;
     }
+    // divided_by_0() and jumps()
+    std::array<Interval, 2> by_0_over(const Box& box) const {
+        std::array<Interval, 2> result;
+        Evaluator<Interval>(by_0_).point(bindings_, box, result);
+        return result;
+    }
     double value(const Point& p) const { return run(value_, p); }
 
 private:
     Graph graph_;
     Bindings<Interval> bindings_;
-    Program value_, without_, within_;
+    Program value_, without_, within_, by_0_;
 };
 
 // Rays would look for its value all along.
@@ -194,6 +201,47 @@ TEST(WithinGaps, AreNowhereElseThanInGaps) {
         }
     }
     EXPECT_GT(within, without);
+}
+
+// max(0, b) is 0, as b is -0.75.
+TEST(DividedBy0, IsSaidWhereADivisorIs0Everywhere) {
+    const Interval some{-1, 1}, above{1, 2};
+    for (const char* formula :
+         {"z - x/max(0, b)", "z - floor(x)/(3*max(0, b))", "z - exp(-(x^2 + y^2)/max(0, b))",
+          "max(x/max(0, b), y) + z", "1/(1/max(0, b)) - x", "z - atan(y/abs(max(0, b)))",
+          "sum(blobs, exp(-x^2/(cx*max(0, b)))) - 1", "z - 1/max(0, -x - 3)"}) {
+        SCOPED_TRACE(formula);
+        const auto [is_by_0, jump] = Subject(formula).by_0_over({some, some, some});
+        EXPECT_GT(is_by_0.lo, 0);
+        EXPECT_EQ(jump, Interval::entire());
+    }
+    for (const char* formula : {"z - x/b", "z - y/x", "x/2 + y", "z - 1/(x^2 + 1)"})
+        EXPECT_FALSE(Subject(formula).by_0_over({some, above, above})[0].lo > 0) << formula;
+}
+
+// So that nothing is lost by passing such boxes.
+TEST(DividedBy0, IsSaidOnlyWhereTheRootMayJump) {
+    int said = 0;
+    for (std::uint64_t seed = 0; seed < 600; ++seed) {
+        Random random(seed);
+        const std::string inner = StrangerFormula(seed).text();
+        const std::string text =
+            seed % 2 ? "z + (" + inner + ")/max(0, x)" : "tanh(y/max(0, x)) - (" + inner + ")";
+        SCOPED_TRACE(fmt::format("seed {}: {}", seed, text));
+        const Subject subject(text);
+        for (int k = 0; k < 20; ++k) {
+            const Point corner = random.point(1.5);
+            const double size = std::exp2(random.in(-12, 1));
+            Box box;
+            for (std::size_t i = 0; i < 3; ++i) box[i] = {corner[i], corner[i] + size};
+            const auto [is_by_0, jump] = subject.by_0_over(box);
+            EXPECT_GE(is_by_0.lo, 0);
+            if (!(is_by_0.lo > 0)) continue;
+            ++said;
+            ASSERT_EQ(jump, Interval::entire());
+        }
+    }
+    EXPECT_GT(said, 1000);
 }
 
 } // namespace
