@@ -132,8 +132,10 @@ void ManifestWriter::expect_manifest() const {
     struct stat joined = {}, named = {};
     if (::fstat(writers_.number(), &joined) != 0)
         throw base::FileError(writers_file(folder_), "cannot be read", errno);
-    const bool same = ::stat(writers_file(folder_).c_str(), &named) == 0 &&
-                      joined.st_dev == named.st_dev && joined.st_ino == named.st_ino;
+    const bool is_there = ::stat(writers_file(folder_).c_str(), &named) == 0;
+    if (!is_there && errno != ENOENT && errno != ENOTDIR)
+        throw base::FileError(writers_file(folder_), "cannot be read", errno);
+    const bool same = is_there && joined.st_dev == named.st_dev && joined.st_ino == named.st_ino;
     if (!same) {
         throw base::FileError(folder_, "was removed or replaced while its frames were rendered",
                               ENOENT);
