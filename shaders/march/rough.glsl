@@ -47,8 +47,9 @@ RayState begin_at(RayState s, Ray ray, float t, float length) {
     return s;
 }
 
-// Whether a ray that begins at s.low, where F is f, is to pass a piece without a value first. Behind a
-// break, samples of such a piece may be numbers; the next piece is tried at twice the length.
+// Moves a ray that begins at s.low, where F is f, over a piece without a value, and tells whether it
+// did. Behind a break, samples of such a piece may be numbers. The next piece is tried at twice the
+// length, or this one at half of it.
 bool passes_no_value(inout RayState s, Ray ray, vec2 f) {
     bool is_nan = im_is_nan(f.x), lacks_value = false;
     float finest = finest_at(s.low), length = max(s.other.x, finest);

@@ -12,6 +12,15 @@ namespace {
 
 using Box = std::array<Interval, 3>;
 
+// A cube near the origin, small or large.
+Box any_box(Random& random) {
+    const Point corner = random.point(1.5);
+    const double size = std::exp2(random.in(-12, 1));
+    Box box;
+    for (std::size_t i = 0; i < 3; ++i) box[i] = {corner[i], corner[i] + size};
+    return box;
+}
+
 // What tells boxes in which a formula has no value, and the formula itself.
 class Subject {
 public:
@@ -149,10 +158,7 @@ TEST(WithoutValue, IsNeverSaidWhereAPointHasOne) {
         const std::string text = StrangerFormula(seed).text();
         const Subject subject(text);
         for (int k = 0; k < 20; ++k) {
-            const Point corner = random.point(1.5);
-            const double size = std::exp2(random.in(-12, 1));
-            Box box;
-            for (std::size_t i = 0; i < 3; ++i) box[i] = {corner[i], corner[i] + size};
+            const Box box = any_box(random);
             if (!(subject.without_value_over(box).lo > 0)) continue;
             ++certain;
             for (int sample = 0; sample < 16; ++sample) {
@@ -189,10 +195,7 @@ TEST(WithinGaps, AreNowhereElseThanInGaps) {
         SCOPED_TRACE(fmt::format("seed {}: {}", seed, text));
         const Subject subject(text);
         for (int k = 0; k < 20; ++k) {
-            const Point corner = random.point(1.5);
-            const double size = std::exp2(random.in(-12, 1));
-            Box box;
-            for (std::size_t i = 0; i < 3; ++i) box[i] = {corner[i], corner[i] + size};
+            const Box box = any_box(random);
             const auto [is_within, gap] = subject.gaps_over(box);
             without += subject.without_value_over(box).lo > 0;
             if (!(is_within.lo > 0)) continue;
@@ -230,10 +233,7 @@ TEST(DividedBy0, IsSaidOnlyWhereTheRootMayJump) {
         SCOPED_TRACE(fmt::format("seed {}: {}", seed, text));
         const Subject subject(text);
         for (int k = 0; k < 20; ++k) {
-            const Point corner = random.point(1.5);
-            const double size = std::exp2(random.in(-12, 1));
-            Box box;
-            for (std::size_t i = 0; i < 3; ++i) box[i] = {corner[i], corner[i] + size};
+            const Box box = any_box(random);
             const auto [is_by_0, jump] = subject.by_0_over(box);
             EXPECT_GE(is_by_0.lo, 0);
             if (!(is_by_0.lo > 0)) continue;
