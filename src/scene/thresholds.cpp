@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cfloat>
 #include <cmath>
+#include <span>
 #include <vector>
 
 #include "scene/halton.h"
@@ -57,23 +58,61 @@ std::vector<Sample> samples_of(const formula::Field& field, const SceneAt& scene
     return samples;
 }
 
-// The median over the samples near the surface.
-double slope_near_surface(std::vector<Sample> samples) {
+// Slopes of the samples near the surface, from the least to the largest.
+std::vector<double> slopes_near_surface(std::vector<Sample> samples) {
     std::erase_if(samples, [](const Sample& sample) { return !sample.is_known(); });
-    if (samples.empty()) return 0;
-    const auto nearest = std::ptrdiff_t(std::max<std::size_t>(1, samples.size() / 8));
-    std::partial_sort(samples.begin(), samples.begin() + nearest, samples.end(),
+    const std::size_t eighth =
+        std::max(samples.size() / 8, std::min(samples.size(), std::size_t(1)));
+    const auto nearest = samples.begin() + std::ptrdiff_t(eighth);
+    std::partial_sort(samples.begin(), nearest, samples.end(),
                       [](const Sample& a, const Sample& b) { return a.distance() < b.distance(); });
-    const auto middle = samples.begin() + nearest / 2;
-    std::nth_element(samples.begin(), middle, samples.begin() + nearest,
-                     [](const Sample& a, const Sample& b) { return a.slope < b.slope; });
-    return middle->slope;
+    std::vector<double> slopes;
+    for (auto sample = samples.begin(); sample != nearest; ++sample)
+        slopes.push_back(sample->slope);
+    std::ranges::sort(slopes);
+    return slopes;
+}
+
+double power_of_two(int exponent) {
+    return std::ldexp(1.0, std::clamp(exponent, -largest_exponent, largest_exponent));
+}
+
+// The power of two that F is divided by for a slope of 1 in the median, or 0 where slopes are
+// moderate. Steep powers have slopes of every size: what is large in one place near the surface
+// must not be scaled until another place is lost.
+int moderated_exponent(std::span<const double> slopes) {
+    if (slopes.empty()) return 0;
+    const std::size_t tenth = slopes.size() / 10;
+    const int median = std::ilogb(slopes[slopes.size() / 2]);
+    const int least = std::ilogb(slopes[tenth]);
+    const int most = std::ilogb(slopes[slopes.size() - 1 - tenth]);
+    const int exponent = median > 0 ? std::min(median, least + moderate_exponent)
+                                    : std::max(median, most - moderate_exponent);
+    return std::abs(exponent) <= moderate_exponent ? 0 : exponent;
+}
+
+// The samples by doubles whose values floats come to as well, unscaled or times `scale`. The others
+// have parts that are cut off at 10^30, or underflow, whatever the scale.
+std::vector<Sample> samples_that_floats_hold(const formula::Field& field, const SceneAt& scene,
+                                             double scale) {
+    const std::vector<Sample> exact = samples_of<double>(field, scene);
+    const std::vector<Sample> unscaled = samples_of<float>(field, scene);
+    const std::vector<Sample> scaled = samples_of<float>(formula::scaled(field, scale), scene);
+    const auto agree = [](double a, double b) { return std::abs(a - b) <= 0.5 * std::abs(b); };
+    std::vector<Sample> held;
+    for (std::size_t k = 0; k < exact.size(); ++k) {
+        const double value = exact[k].value;
+        if (agree(unscaled[k].value, value) || agree(scaled[k].value, scale * value))
+            held.push_back(exact[k]);
+    }
+    return held;
 }
 
 } // namespace
 
 double field_slope(const formula::Field& field, const SceneAt& scene) {
-    return slope_near_surface(samples_of<double>(field, scene));
+    const std::vector<double> slopes = slopes_near_surface(samples_of<double>(field, scene));
+    return slopes.empty() ? 0 : slopes[slopes.size() / 2];
 }
 
 Thresholds field_thresholds(double slope, double step) {
@@ -83,15 +122,12 @@ Thresholds field_thresholds(double slope, double step) {
 }
 
 double field_scale(const formula::Field& field, const SceneAt& scene) {
-    // The slope is taken by floats, which are cut off at 10^30 where doubles go on.
-    double slope = slope_near_surface(samples_of<float>(field, scene));
-    if (slope == 0) slope = field_slope(field, scene);
-    if (slope == 0) return 1;
-    // A slope of 1 keeps all that a march takes, F as its second derivative, within float32,
-    // whatever the size of the bounds.
-    const int exponent = std::ilogb(slope);
-    if (std::abs(exponent) <= moderate_exponent) return 1;
-    return std::ldexp(1.0, -std::clamp(exponent, -largest_exponent, largest_exponent));
+    std::vector<double> slopes = slopes_near_surface(samples_of<double>(field, scene));
+    int exponent = moderated_exponent(slopes);
+    if (exponent == 0) return 1;
+    slopes = slopes_near_surface(samples_that_floats_hold(field, scene, power_of_two(-exponent)));
+    if (!slopes.empty()) exponent = moderated_exponent(slopes);
+    return power_of_two(-exponent);
 }
 
 Float32Loss float32_loss(const formula::Field& field, const SceneAt& scene) {

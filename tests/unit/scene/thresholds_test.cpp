@@ -167,6 +167,21 @@ TEST_F(FieldScale, LeavesModerateFieldsAlone) {
         EXPECT_EQ(field(factor, sphere)->scale, 1);
 }
 
+// Outside of its surface such a power passes 10^30, where floats are cut off; inside, 1 decides.
+// Scaled for the outside, all that is inside became 0.
+TEST_F(FieldScale, LeavesSteepPowersAlone) {
+    for (const double radius : {1.45, 1.8, 3.0}) {
+        const auto steep = loaded(fmt::format("[surface]\nformula = \"(abs(x)^18.9 + "
+                                              "abs(y)^18.9)^9.7 + abs(z)^1.8 - 1\"\nbounds = {{ "
+                                              "sphere = {} }}\n",
+                                              radius))
+                               .surface.field;
+        EXPECT_EQ(steep->scale, 1) << radius;
+    }
+    const auto small = field("1", "exp(60*x) + exp(60*y) + exp(60*z) - 0.01");
+    EXPECT_EQ(small->scale, 1);
+}
+
 // The factor and the scale are one number.
 TEST_F(FieldScale, FactorsBeyondFloatsAreScaledToo) {
     const float one = formula::FieldEvaluator<float>(*field("1", sphere)).value({}, {0.5f, 0, 0});
