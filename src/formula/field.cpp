@@ -4,6 +4,7 @@
 #include <iterator>
 
 #include "formula/graph/derivative.h"
+#include "formula/graph/log_sums.h"
 #include "formula/graph/lowering.h"
 #include "formula/graph/parser.h"
 #include "formula/graph/same_signs.h"
@@ -33,15 +34,16 @@ void derive_programs(Field& field) {
     const std::vector<NodeId> direction{g.input(first_direction), g.input(first_direction + 1),
                                         g.input(first_direction + 2)};
     const NodeId one = g.constant(1), zero = g.constant(0);
-    const NodeId along = differentiate_inputs(g, field.root, direction);
-    std::array slopes{differentiate_inputs(g, field.root, {one, zero, zero}),
-                      differentiate_inputs(g, field.root, {zero, one, zero}),
-                      differentiate_inputs(g, field.root, {zero, zero, one})};
-    if (field.wall_distance > 0) slopes = wall_gradient(g, field.root, field.wall_distance);
+    const NodeId root = with_small_exponents(g, field.root);
+    const NodeId along = differentiate_inputs(g, root, direction);
+    std::array slopes{differentiate_inputs(g, root, {one, zero, zero}),
+                      differentiate_inputs(g, root, {zero, one, zero}),
+                      differentiate_inputs(g, root, {zero, zero, one})};
+    if (field.wall_distance > 0) slopes = wall_gradient(g, root, field.wall_distance);
 
     Graph working = g; // lowering adds nodes that only the programs need
     const std::vector<NodeId> low =
-        lower(working, std::array{field.root, along, slopes[0], slopes[1], slopes[2]});
+        lower(working, std::array{root, along, slopes[0], slopes[1], slopes[2]});
     field.value = schedule(working, std::array{low[0]});
     field.directional = schedule(working, std::array{low[0], low[1]});
     field.gradient = schedule(working, std::array{low[2], low[3], low[4]});

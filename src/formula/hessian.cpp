@@ -1,6 +1,7 @@
 #include "formula/hessian.h"
 
 #include "formula/graph/derivative.h"
+#include "formula/graph/log_sums.h"
 #include "formula/graph/lowering.h"
 
 namespace isomotion::formula {
@@ -12,9 +13,10 @@ Program hessian(const Field& field) {
         axes[k].assign(3, g.constant(0));
         axes[k][k] = g.constant(1);
     }
+    const NodeId root = with_small_exponents(g, field.root);
     std::vector<NodeId> second;
     for (std::size_t i = 0; i < 3; ++i) {
-        const NodeId first = differentiate_inputs(g, field.root, axes[i]);
+        const NodeId first = differentiate_inputs(g, root, axes[i]);
         for (std::size_t j = i; j < 3; ++j) {
             second.push_back(differentiate_inputs(g, first, axes[j], Slopes::pointwise_again));
         }

@@ -1,0 +1,95 @@
+#include "formula/graph/log_sums.h"
+
+#include "testing.h"
+
+namespace isomotion::formula {
+namespace {
+
+NodeId rewritten(Graph& graph, const std::string& text) {
+    return with_small_exponents(graph, parse(graph, text));
+}
+
+// What one text becomes, as the graph of another.
+void expect_rewritten(const std::string& text, const std::string& wanted) {
+    SCOPED_TRACE(text);
+    Graph graph;
+    const NodeId right = parse(graph, wanted);
+    EXPECT_EQ(rewritten(graph, text), right);
+}
+
+TEST(LogSums, AreTakenFromTheLargestExponent) {
+    expect_rewritten("log(exp(x) + exp(y))",
+                     "max(x, y) + log(exp(x - max(x, y)) + exp(y - max(x, y)))");
+    expect_rewritten("log(1 + exp(x))", "max(0, x) + log(exp(-max(0, x)) + exp(x - max(0, x)))");
+    expect_rewritten("log(z*exp(x))", "x + log(z)");
+    expect_rewritten("log(cosh(x))",
+                     "max(x, -x) + log(0.5*exp(x - max(x, -x)) + 0.5*exp(-x - max(x, -x)))");
+}
+
+TEST(LogSums, KeepWhatHasNoExponentials) {
+    for (const char* text : {"log(x^2 + y^2) + z", "exp(x) + exp(y) - 1", "log(sinh(x) + 2)",
+                             "log(sum(blobs, exp(-(x - cx)^2)))", "log(x^y)", "exp(log(x) + y)"})
+        expect_rewritten(text, text);
+}
+
+constexpr std::array equal_on_paper{
+    "log(exp(x) + exp(y) + exp(z))/3",
+    "-log(exp(-3*x)*(1 + y^2) + 2*exp(y - z) + 3)",
+    "log(2^x + 2^(-y) + 0.1*exp(z))/log(2)",
+    "log(cosh(x - y) + 2)*z",
+    "log(exp(2*x)/(1 + exp(y)) - exp(2*x - 3)/(1 + exp(y)))",
+    "max(z, log(x^2 + exp(-y)) - log(exp(x) + 1))",
+};
+
+TEST(LogSums, AreEqualOnPaper) {
+    constexpr int seed = 11;
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    Random random(seed);
+    for (const char* text : equal_on_paper) {
+        SCOPED_TRACE(text);
+        Graph graph;
+        const NodeId root = parse(graph, text), now = with_small_exponents(graph, root);
+        EXPECT_NE(root, now);
+        for (int k = 0; k < 100; ++k) {
+            const Point p = random.point(3);
+            const double exact = value_of(graph, root, p);
+            EXPECT_NEAR(value_of(graph, now, p), exact, 1e-12 * (1 + std::abs(exact)));
+        }
+    }
+}
+
+// exp(-100*0.9) is 0 in float32, and exp(100*0.9) beyond its cut-off.
+TEST(LogSums, HoldInFloats) {
+    const Field blend = make_field("-log(exp(-100*x) + exp(-100*y))/100", {});
+    const Field even = make_field("log(cosh(100*x))/100", {});
+    for (const float x : {-30.0f, -0.9f, -0.5f, 0.0f, 0.9f, 30.0f}) {
+        for (const float y : {-20.0f, -0.91f, 0.0f, 0.92f, 20.0f}) {
+            EXPECT_NEAR(FieldEvaluator<float>(blend).value({}, {x, y, 0}), std::min(x, y), 0.007);
+            const auto slope = FieldEvaluator<float>(blend).gradient({}, {x, y, 0});
+            EXPECT_NEAR(slope[0] + slope[1], 1, 1e-5) << x << ' ' << y;
+        }
+        EXPECT_NEAR(FieldEvaluator<float>(even).value({}, {x, 0, 0}), std::abs(x), 0.007);
+        EXPECT_NEAR(FieldEvaluator<float>(even).gradient({}, {x, 0, 0})[0], std::tanh(100 * x),
+                    1e-5);
+    }
+}
+
+// Paths through shared nodes are many more than nodes.
+TEST(LogSums, TakeSharedNodesInShortTime) {
+    Graph graph;
+    NodeId sum = parse(graph, "exp(x)"), product = parse(graph, "exp(y)");
+    const NodeId z = parse(graph, "z");
+    for (int k = 0; k < 40; ++k) {
+        const NodeId less = graph.subtract(sum, graph.constant(k + 0.5));
+        sum = graph.add(less, graph.multiply(z, graph.add(sum, graph.constant(k))));
+        sum = graph.add(sum, graph.subtract(less, z));
+        product = graph.multiply(product, product);
+    }
+    const NodeId root = graph.unary(Op::log, graph.add(sum, product));
+    const std::size_t before = graph.size();
+    with_small_exponents(graph, root);
+    EXPECT_LT(graph.size() - before, 3000u);
+}
+
+} // namespace
+} // namespace isomotion::formula
