@@ -12,6 +12,7 @@
 #include "formula/element_kernels.h"
 #include "formula/graph/continuity.h"
 #include "formula/graph/degree.h"
+#include "formula/graph/log_sums.h"
 #include "formula/graph/roughness.h"
 #include "formula/graph/squares.h"
 #include "formula/line_probe.h"
@@ -256,11 +257,12 @@ private:
 } // namespace
 
 Smoothness smoothness(const Field& field, std::span<const Region> regions, double operations) {
-    const bool squares = has_squares(field.graph, field.root);
+    const bool false_touches =
+        has_squares(field.graph, field.root) || has_fading_logs(field.graph, field.root);
     if (const auto polynomial = degree(field.graph, field.root))
-        return {.degree = polynomial, .squares = squares};
+        return {.degree = polynomial, .false_touches = false_touches};
     Smoothness found = Examination(field, regions, operations).result();
-    found.squares = squares;
+    found.false_touches = false_touches;
     return found;
 }
 

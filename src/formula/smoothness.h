@@ -18,7 +18,9 @@ struct Smoothness {
     std::optional<int> degree{}; // of a polynomial in x, y and z
     // Whether there may be any that a method must know, see graph/roughness.h.
     bool kinks = false, jumps = false, poles = false;
-    bool squares = false; // squares of expressions, see graph/squares.h
+    // Whether samples may look as if F touched 0 where it doesn't: squares of expressions, see
+    // graph/squares.h, and logarithms of what may come to 0 in floats, see graph/log_sums.h.
+    bool false_touches = false;
 
     bool is_smooth() const { return !kinks && !jumps && !poles; }
 };

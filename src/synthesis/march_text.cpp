@@ -31,8 +31,8 @@ bool meets_rough_places(const scene::Scene& scene) {
 // Whether bounds of F judge where cubics take it for 0 without a change of sign. Where F isn't
 // smooth, rough.glsl does that.
 bool judges_touches(const scene::Scene& scene) {
-    return scene.isolation.method == scene::Method::hermite && scene.surface.smoothness.squares &&
-           !meets_rough_places(scene);
+    return scene.isolation.method == scene::Method::hermite &&
+           scene.surface.smoothness.false_touches && !meets_rough_places(scene);
 }
 
 // The paper's methods go all the way, as the paper has them.

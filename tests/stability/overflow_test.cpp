@@ -63,6 +63,11 @@ INSTANTIATE_TEST_SUITE_P(
         extreme("plane that fades", "x*exp(-(x^2 + y^2 + z^2))", 10, 30, 0.1, 0, 0),
         extreme("charges", "exp(-9*((x - 1)^2 + y^2 + z^2)) - exp(-9*((x + 1)^2 + y^2 + z^2))", 4,
                 12, 0.05, 0, 0),
+        // exp(-64*2) comes to 0, too, and so did the body beyond (graph/log_sums.h).
+        extreme("bodies blended by a logarithm",
+                "-log(exp(-64*(sqrt((x - 0.5)^2 + y^2) - 0.4)) + exp(-64*(sqrt((x + 0.4)^2 + y^2 + "
+                "z^2) - 0.3)))/64",
+                1.8, 6, 0.02, 0, 0),
         // F and its slopes are finite, and its second derivative is not.
         extreme("three steep planes",
                 "(exp(40*x) - 1)*(exp(40*x) - 3)*(exp(40*(x - 0.2)) - 2) + 0.001*y", 9, 30, 0.05, 0,
@@ -72,6 +77,9 @@ INSTANTIATE_TEST_SUITE_P(
         extreme("from inside the pole", "1/(x^2 + y^2 + z^2) - 1", 3, 1e-9, 0.02, 0, blind),
         extreme("power 200 in wide bounds", "abs(x)^200 + abs(y)^200 + abs(z)^200 - 1", 6, 20, 0.02,
                 0, 110000),
+        // Its slopes are of every size, where Taylor's test extends them to 0.
+        extreme("power of a power", "(abs(x)^18.9 + abs(y)^18.9)^9.7 + abs(z)^1.8 - 1", 1.8, 6,
+                0.02, 0, 540000),
         extreme("power -200", "abs(x)^-200 + abs(y)^-200 + abs(z)^-200 - 3", 6, 20, 0.02, 0, 0),
         extreme("values of 10^-30", "1e-30*(x^2 + y^2 + z^2 - 1)", 1.5, 5, 0.02, 0, 0),
         extreme("values of 10^25", "1e25*(x^2 + y^2 + z^2 - 1)", 1.5, 5, 0.02, 0, 0)),

@@ -102,4 +102,15 @@ NodeId with_small_exponents(Graph& graph, NodeId root) {
     return changes ? replaced : root;
 }
 
+bool has_fading_logs(const Graph& graph, NodeId root) {
+    const auto any_below = [&](NodeId from, Op op, auto&& holds) {
+        return std::ranges::any_of(nodes_below(graph, std::array{from}),
+                                   [&](NodeId id) { return graph[id].op == op && holds(id); });
+    };
+    const auto is_one = [](NodeId) { return true; };
+    const auto sums_exponentials = [&](NodeId sum) { return any_below(sum, Op::exp, is_one); };
+    return any_below(root, Op::log,
+                     [&](NodeId log) { return any_below(log, Op::sum, sums_exponentials); });
+}
+
 } // namespace isomotion::formula

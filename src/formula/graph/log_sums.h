@@ -11,4 +11,8 @@ namespace isomotion::formula {
 // there, or infinite. For values: in intervals m would count several times.
 NodeId with_small_exponents(Graph& graph, NodeId root);
 
+// Whether there is a logarithm of exponentials that are summed over elements. Such a sum stays as it
+// is, so it may come to 0 in floats, where its logarithm jumps from -87 to where it is cut off.
+bool has_fading_logs(const Graph& graph, NodeId root);
+
 } // namespace isomotion::formula

@@ -74,6 +74,15 @@ TEST(LogSums, HoldInFloats) {
     }
 }
 
+TEST(LogSums, OfElementsMayFade) {
+    Graph graph;
+    const auto fades = [&](const char* text) { return has_fading_logs(graph, parse(graph, text)); };
+    EXPECT_TRUE(fades("x - log(0.1 + 2*sum(blobs, r*exp(-(x - cx)^2)))"));
+    EXPECT_FALSE(fades("sum(blobs, exp(-(x - cx)^2)) - log(x)"));
+    EXPECT_FALSE(fades("log(sum(blobs, (x - cx)^2)) + exp(x)"));
+    EXPECT_FALSE(fades("log(exp(x) + exp(y))"));
+}
+
 // Paths through shared nodes are many more than nodes.
 TEST(LogSums, TakeSharedNodesInShortTime) {
     Graph graph;
