@@ -2,8 +2,8 @@
 // through two samples, and measures its error by a third. Where F waves, or has bumps with flat
 // ground between them, all three may lie on the ground, and a bump between them is passed unseen.
 //
-// Steps over the bumps of random lines tell how long is too long. It chooses steps, and proves
-// nothing.
+// Steps over the bumps of random lines, and of lines that graze the bodies which those meet, tell
+// how long is too long. It chooses steps, and proves nothing.
 #pragma once
 
 #include <array>

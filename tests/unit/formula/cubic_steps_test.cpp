@@ -43,6 +43,15 @@ TEST(CubicSteps, AreShorterWhereWavesAre) {
     }
 }
 
+// A ray along a silhouette cuts off a corner, and random lines seldom do.
+TEST(CubicSteps, AreShorterWhereEdgesAreSharp) {
+    const std::string wedge = "log(exp({0}*(x + 0.3*y - 0.2)) + exp({0}*(y - 0.5*x + 0.1*z)))/{0}";
+    EXPECT_EQ(steps_of(fmt::format(fmt::runtime(wedge), 4)), CubicSteps{});
+    EXPECT_LE(steps_of(fmt::format(fmt::runtime(wedge), 32)).longest, 0.5);
+    EXPECT_LE(steps_of(fmt::format(fmt::runtime(wedge), 100)).longest, 0.25);
+    EXPECT_LE(steps_of("tanh(50*x) + tanh(50*y) + z").longest, 0.5);
+}
+
 // The unit of length does not matter, and that of F neither.
 TEST(CubicSteps, ArePartsOfTheBounds) {
     const CubicSteps steps = steps_of("sin(30*x)*sin(30*y)*sin(30*z) - 0.6");
