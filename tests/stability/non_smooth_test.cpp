@@ -100,6 +100,36 @@ INSTANTIATE_TEST_SUITE_P(
         along_the_axis("root of a difference", "exp(sqrt(x - y)) - 1.5 - z", 700, 4600)),
     test_name);
 
+// Angles about an axis, seen near to it, where F turns faster than any step is long.
+HardCase about_an_axis(const std::string& name, const std::string& formula, double zoom) {
+    return {fmt::format("{} at zoom {}", name, zoom),
+            fmt::format(R"(
+[surface]
+formula = "{}"
+bounds = {{ sphere = 1.5 }}
+[camera]
+azimuth = 90
+elevation = 45
+zoom = {}
+[output]
+size = [96, 96]
+)",
+                        formula, zoom),
+            {}};
+}
+
+const std::string turning_quotient = "(x^2 - y^2)/(x^2 + y^2) - z",
+                  turning_waves = "z - 0.3*sin(6*atan(y/x))",
+                  turning_spiral = "z - 0.2*sin(8*atan(y/x) + 9*sqrt(x^2 + y^2))";
+
+INSTANTIATE_TEST_SUITE_P(Angles, NonSmooth,
+                         testing::Values(about_an_axis("quotient", turning_quotient, 1),
+                                         about_an_axis("quotient", turning_quotient, 50),
+                                         about_an_axis("waves", turning_waves, 1),
+                                         about_an_axis("waves", turning_waves, 10),
+                                         about_an_axis("spiral", turning_spiral, 10)),
+                         test_name);
+
 // Bases that are never negative on paper, but may be by rounding, which leaves a power no value.
 INSTANTIATE_TEST_SUITE_P(
     PowersOfDifferences, NonSmooth,

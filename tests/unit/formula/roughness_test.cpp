@@ -20,26 +20,36 @@ bool is_rough(const char* formula, const Interval& x) {
 }
 
 TEST(Rough, KinksJumpsAndPolesAreInTheirBoxesAlone) {
-    const Interval across{-1, 1}, above{1, 2};
+    const Interval across{-1, 1}, above{1, 1.4};
     for (const char* formula : {"abs(x)", "max(x, 0*y)", "floor(x)", "1/x", "sqrt(x)", "log(x)",
                                 "x^0.5", "x^-2", "tan(1.7*x)", "sign(x)"}) {
         EXPECT_TRUE(is_rough(formula, across)) << formula;
     }
     for (const char* formula : {"abs(x)", "1/x", "sqrt(x)", "log(x)", "x^0.5", "x^-2", "sign(x)"})
         EXPECT_FALSE(is_rough(formula, above)) << formula;
-    for (const char* formula : {"x^3 - y", "exp(x)*z", "sin(x)", "max(0, x)^3", "1/(1 + x^2)"})
+    for (const char* formula : {"x^3 - y", "exp(x)*z", "sin(x)", "max(0, x)^3", "1/(2 + x^2)"})
         EXPECT_FALSE(is_rough(formula, across)) << formula;
 }
 
 // (x^2 - y^2)/(x^2 + y^2) turns about its axis without a pole on most rays.
-TEST(Rough, QuotientsAreWhereTheirDenominatorsComeToASmallPartOfThemselves) {
+TEST(Rough, QuotientsAreWhereTheirDenominatorsComeToHalfOfThemselves) {
     for (const char* formula : {"y/x", "1/(x*y)", "(x - y)/-x"}) {
-        EXPECT_FALSE(is_rough(formula, {1, 15})) << formula;
-        EXPECT_FALSE(is_rough(formula, {-15, -1})) << formula;
-        EXPECT_TRUE(is_rough(formula, {1, 17})) << formula;
+        EXPECT_FALSE(is_rough(formula, {1, 1.9})) << formula;
+        EXPECT_FALSE(is_rough(formula, {-1.9, -1})) << formula;
+        EXPECT_TRUE(is_rough(formula, {1, 2.1})) << formula;
         EXPECT_TRUE(is_rough(formula, {-1, -0.01})) << formula;
-        EXPECT_FALSE(is_rough(formula, {1e-20, 1e-19})) << formula << " small itself";
+        EXPECT_FALSE(is_rough(formula, {1e-20, 1.9e-20})) << formula << " small itself";
     }
+}
+
+// An angle turns about its axis where the denominator stays the same, too.
+TEST(Rough, AnglesAreWhereTheirSlopeComesToHalfOfItself) {
+    EXPECT_FALSE(is_rough("atan(x/y)", {-0.9, 0.9}));
+    EXPECT_FALSE(is_rough("atan(x/y)", {10, 14}));
+    EXPECT_TRUE(is_rough("atan(x/y)", {-1.1, 0}));
+    EXPECT_TRUE(is_rough("atan(x/y)", {10, 15}));
+    EXPECT_FALSE(is_rough("atan(9*x)", {-9, 9}));
+    EXPECT_FALSE(is_rough("atan(x/9)", {-90, 90}));
 }
 
 } // namespace
