@@ -5,6 +5,7 @@
 #include "formula/graph/decoration.h"
 #include "formula/graph/degree.h"
 #include "formula/graph/derivative.h"
+#include "formula/graph/numerator.h"
 #include "formula/graph/roughness.h"
 
 namespace isomotion::formula {
@@ -40,7 +41,9 @@ struct Enclosed {
         // F is searched for jumps as it is written: what stands for it may be cut off elsewhere.
         const NodeId jumping = jumps(graph, field.root);
         jump = jumping;
+        // Where jumps count as walls, 1/(floor(x) - 0.5) has one.
         none = within_gaps(graph, root);
+        if (field.wall_distance == 0) none = graph.add(none, without_zero(graph, root));
         is_root = field.wall_distance > 0 ? unless_bounded(graph, value) : jumping;
     }
 

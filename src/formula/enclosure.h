@@ -29,7 +29,7 @@ struct EnclosurePrograms {
     Program gradient;
     // The first output is 0 where F is continuous, otherwise the entire line (graph/continuity.h);
     // where jumps count as walls, it is the entire line where F has no bounds. The second is a
-    // number above 0 over boxes where F has no value anywhere.
+    // number above 0 over boxes where F has no value anywhere, or keeps off 0 beside its poles.
     Program jumps;
     // For marching: as `jumps`, but jumps of F that count as walls included. The second output is
     // also above 0 where F may jump at every point, as a divisor is 0 everywhere.

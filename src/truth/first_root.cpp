@@ -321,7 +321,8 @@ void RootFinder::refine(Lane& lane, const Interval& f) const {
 void RootFinder::march(Lane& lane, const Interval& at_b, const Interval& f, const Interval& slope) {
     const double b = lane.b(), h = b - lane.a;
     const int sign_a = sign_of(lane.at_a), sign_b = sign_of(at_b);
-    if (may_lack_values_ && f == Interval::entire()) {
+    const bool is_unbounded = std::isinf(f.lo) || std::isinf(f.hi);
+    if (may_lack_values_ && is_unbounded && sign_of(f) == 0) {
         lane.evaluations += 1;
         if (breaks(lane.tube, lane.a, b).has_no_value) {
             pass_gap(lane, at_b);
@@ -352,6 +353,7 @@ void RootFinder::march(Lane& lane, const Interval& at_b, const Interval& f, cons
     // One crossing and no more, if the slope has one sign: F is continuous then.
     const bool crosses = sign_a != 0 && sign_b == -sign_a;
     if (crosses && sign_of(slope) != 0 && !lane.in_run) {
+        lane.sign = sign_a; // unknown behind a gap
         lane.low = lane.a;
         lane.high = b;
         lane.phase = Lane::Phase::refine;

@@ -84,18 +84,29 @@ TEST(FirstRoot, WhereTheFieldIsZeroInAVolume) {
 
 // A sign changes where nothing is zero: the shader, which looks for changes, may draw it. No bound
 // tells a jump from a root, so neither is certain.
-TEST(FirstRoot, OfAJumpOrAPoleIsNoCertainHit) {
-    for (const char* formula :
-         {"floor(z) + 0.5", "sign(z) + 0.5", "1/z", "z/abs(z)", "tan(z + pi/2)", "z^-3", "z^(-301)",
-          "z + 1e-4*(floor(z) + 0.5)", "min(tan(z + pi/2), 2)", "sign(z)*z^2 + 0.001*sign(z)"}) {
+TEST(FirstRoot, OfAJumpIsNoCertainHit) {
+    for (const char* formula : {"floor(z) + 0.5", "sign(z) + 0.5", "z/abs(z)",
+                                "z + 1e-4*(floor(z) + 0.5)", "sign(z)*z^2 + 0.001*sign(z)"}) {
         const View view = along_z(formula);
         EXPECT_EQ(answer(view).answer, Answer::touching) << formula;
         EXPECT_TRUE(holds(answer(view), view.tubes[0], {0})) << formula;
     }
-    for (const char* formula : {"floor(z) + 4.5", "1/z^2", "sign(z) + 2"}) {
+    for (const char* formula : {"floor(z) + 4.5", "sign(z) + 2"}) {
         EXPECT_NE(answer(along_z(formula)).answer, Answer::hit) << formula;
     }
     expect_miss(along_z("floor(z) + 4.5"));
+}
+
+// Numerators tell a pole from a root.
+TEST(FirstRoot, OfAPoleIsAMiss) {
+    for (const char* formula :
+         {"1/z", "tan(z + pi/2)", "z^-3", "z^(-301)", "1/z^2", "min(tan(z + pi/2), 2)"})
+        expect_miss(along_z(formula));
+    expect_hit(along_z("1/z - 0.8"), 1.25);
+    expect_hit(along_z("1/z^3 - 0.5"), std::cbrt(2));
+    expect_hit(along_z("max(1/z - 1, z - 1.2)"), 1);
+    expect_hit(along_z("tan(z + pi/2) + 1"), std::atan(1));
+    expect_miss(along_z("z + 1/(z - 1)^3"));
 }
 
 // Behind poles, where slopes on both sides of one have the same sign, there are roots all the same.
