@@ -109,6 +109,12 @@ TEST(FirstRoot, OfAPoleIsAMiss) {
     expect_miss(along_z("z + 1/(z - 1)^3"));
 }
 
+// A quotient may jump from one bounded value to another where its numerator keeps off 0.
+TEST(FirstRoot, OfAWallIsNoMissWhateverTheNumerator) {
+    expect_touching(along_z("1/(floor(z) - 0.5)", {.jumps_are_walls = true}), 1, 1);
+    expect_miss(along_z("1/(floor(z) - 0.5)"));
+}
+
 // Behind poles, where slopes on both sides of one have the same sign, there are roots all the same.
 TEST(FirstRoot, BehindAPoleIsNoMiss) {
     for (const char* formula : {"tan(20*z + 2.141)", "tan(20*z)", "-tan(20*z) + 0.1*z"}) {

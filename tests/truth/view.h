@@ -106,23 +106,25 @@ struct Axial {
     double pixel = 0x1p-10;
     bool backwards = false; // along -z: t is -z
     std::string bounds = "{ sphere = 1.5 }";
+    bool jumps_are_walls = false;
 };
 
 inline View along_z(const std::string& formula, const Axial& ray = {}) {
     const double side = ray.backwards ? 5 : -5;
-    return View(
-        scene_of(fmt::format(R"(
+    return View(scene_of(fmt::format(R"(
 [surface]
 formula = '''{}'''
 bounds = {}
+jumps = {}
 [camera]
 position = [{}, {}, {}]
 target = [{}, {}, 0]
 projection = "orthographic"
 height = {}
 )",
-                             formula, ray.bounds, ray.x, ray.y, side, ray.x, ray.y, ray.pixel)),
-        1, 1);
+                                     formula, ray.bounds, ray.jumps_are_walls, ray.x, ray.y, side,
+                                     ray.x, ray.y, ray.pixel)),
+                1, 1);
 }
 
 // The surface at rest, square, before this camera.
