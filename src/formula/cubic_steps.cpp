@@ -43,7 +43,7 @@ double diagonal(const std::array<Interval, 3>& box) {
     return std::sqrt(square);
 }
 
-// From side to side of a box.
+// A part of a line in a box.
 struct Line {
     const Looked* looked;
     std::array<double, 3> from{}, along{}; // `along` has length 1
@@ -190,15 +190,21 @@ private:
         line.from = is_aimed ? aimed_place(looked)
                              : std::array{in(looked.moment->box[0]), in(looked.moment->box[1]),
                                           in(looked.moment->box[2])};
-        double begin = -HUGE_VAL, end = HUGE_VAL, square = 0;
+        double square = 0;
         for (std::size_t k = 0; k < 3; ++k) {
             line.along[k] = in(looked.moment->box[k]) - line.from[k];
             square += line.along[k] * line.along[k];
         }
+        for (std::size_t k = 0; k < 3; ++k) line.along[k] /= std::sqrt(square);
+        return within_box(line, -HUGE_VAL, HUGE_VAL);
+    }
+
+    // The part of a line from t = begin to end that is in its box; with a negative length, none is.
+    static Line within_box(Line line, double begin, double end) {
         for (std::size_t k = 0; k < 3; ++k) {
-            line.along[k] /= std::sqrt(square);
-            const double a = (looked.moment->box[k].lo - line.from[k]) / line.along[k];
-            const double b = (looked.moment->box[k].hi - line.from[k]) / line.along[k];
+            const Interval& side = line.looked->moment->box[k];
+            const double a = (side.lo - line.from[k]) / line.along[k];
+            const double b = (side.hi - line.from[k]) / line.along[k];
             begin = std::max(begin, std::min(a, b));
             end = std::min(end, std::max(a, b));
         }
@@ -246,14 +252,15 @@ private:
         double inside = 0, outside = reach, evaluations = 0;
         for (int k = 0; k < halvings_to_graze; ++k) {
             Line line = *chord.line;
-            const double by = 0.5 * (inside + outside), begin = chord.begin - 2 * length;
-            for (std::size_t axis = 0; axis < 3; ++axis)
-                line.from[axis] += by * aside[axis] + begin * line.along[axis];
-            line.length = reach + 4 * length;
-            const auto samples = std::size_t(line.length / line.looked->apart);
+            const double by = 0.5 * (inside + outside);
+            for (std::size_t axis = 0; axis < 3; ++axis) line.from[axis] += by * aside[axis];
+            line = within_box(line, chord.begin - 2 * length, chord.end + 2 * length);
+            const double most = (reach + 4 * length) / line.looked->apart;
+            const auto samples =
+                std::size_t(std::clamp(line.length / line.looked->apart, 0.0, most));
             evaluations += double(samples);
             const std::size_t known = chords_.size();
-            find_bumps(lines_.emplace_back(line), samples);
+            if (samples > 0) find_bumps(lines_.emplace_back(line), samples);
             const bool meets = std::any_of(
                 chords_.begin() + std::ptrdiff_t(known), chords_.end(),
                 [&](const Bump& found) { return found.is_below_0 == chord.is_below_0; });

@@ -63,13 +63,13 @@ EnclosurePrograms enclosure_programs(const Field& field) {
     const NodeId by_0 =
         field.wall_distance > 0 ? g.constant(0) : divided_by_0(g, with_chebyshev(g, field.root));
     const NodeId nothing = g.add(e.none, by_0);
-    return {
-        schedule(g, std::array{e.value}), schedule(g, std::array{e.value, e.along}),
-        schedule(g, e.gradient), schedule(g, std::array{e.is_root, e.none}),
-        schedule(g, std::array{e.jump, nothing}),
-        // As it is evaluated: what is smooth on paper may lose its slope in floats.
-        schedule(g, std::array{with_gaps(g, field.root), anywhere(g, roughness(g, field.root))}),
-        e.may_lack_values()};
+    return {schedule(g, std::array{e.value}), schedule(g, std::array{e.value, e.along}),
+            schedule(g, e.gradient), schedule(g, std::array{e.is_root, e.none}),
+            schedule(g, std::array{e.jump, nothing}),
+            // As it is evaluated: what is smooth on paper may lose its slope in floats.
+            schedule(g, std::array{with_gaps(g, field.root),
+                                   anywhere(g, roughness(g, field.root, least_part_of_pieces))}),
+            e.may_lack_values()};
 }
 
 // Enclosures add nodes to a copy of the field's graph, whose own keep their numbers.

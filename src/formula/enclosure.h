@@ -36,7 +36,7 @@ struct EnclosurePrograms {
     Program breaks;
     // The value, and 0 where F is smooth, otherwise the entire line (graph/roughness.h).
     Program rough;
-    bool may_lack_values = false; // if false, the second output of `jumps` is always 0
+    bool may_lack_values = false; // or have poles; if false, the second output of `jumps` is 0
 };
 
 EnclosurePrograms enclosure_programs(const Field& field);

@@ -34,16 +34,18 @@ void derive_programs(Field& field) {
     const std::vector<NodeId> direction{g.input(first_direction), g.input(first_direction + 1),
                                         g.input(first_direction + 2)};
     const NodeId one = g.constant(1), zero = g.constant(0);
-    const NodeId root = with_small_exponents(g, field.root);
+    const SmallExponents small(g, field.root);
+    const NodeId root = small.root();
     const NodeId along = differentiate_inputs(g, root, direction);
     std::array slopes{differentiate_inputs(g, root, {one, zero, zero}),
                       differentiate_inputs(g, root, {zero, one, zero}),
                       differentiate_inputs(g, root, {zero, zero, one})};
     if (field.wall_distance > 0) slopes = wall_gradient(g, root, field.wall_distance);
 
+    const std::vector<NodeId> all =
+        small.complete(std::array{root, along, slopes[0], slopes[1], slopes[2]});
     Graph working = g; // lowering adds nodes that only the programs need
-    const std::vector<NodeId> low =
-        lower(working, std::array{root, along, slopes[0], slopes[1], slopes[2]});
+    const std::vector<NodeId> low = lower(working, all);
     field.value = schedule(working, std::array{low[0]});
     field.directional = schedule(working, std::array{low[0], low[1]});
     field.gradient = schedule(working, std::array{low[2], low[3], low[4]});

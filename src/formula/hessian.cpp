@@ -13,15 +13,15 @@ Program hessian(const Field& field) {
         axes[k].assign(3, g.constant(0));
         axes[k][k] = g.constant(1);
     }
-    const NodeId root = with_small_exponents(g, field.root);
+    const SmallExponents small(g, field.root);
     std::vector<NodeId> second;
     for (std::size_t i = 0; i < 3; ++i) {
-        const NodeId first = differentiate_inputs(g, root, axes[i]);
+        const NodeId first = differentiate_inputs(g, small.root(), axes[i]);
         for (std::size_t j = i; j < 3; ++j) {
             second.push_back(differentiate_inputs(g, first, axes[j], Slopes::pointwise_again));
         }
     }
-    return schedule(g, lower(g, second));
+    return schedule(g, lower(g, small.complete(second)));
 }
 
 std::string glsl_hessian(const Program& hessian, const ArrayPacking& packing) {

@@ -68,7 +68,7 @@ public:
     }
 
     Smoothness result() {
-        const Roughness rough = roughness(graph_, field_.root);
+        const Roughness rough = roughness(graph_, field_.root, least_part_of_rays);
         // The operations allowed are shared: the more places there are, the fewer each may take.
         const std::size_t count = rough.kinks.size() + rough.jumps.size() + rough.poles.size();
         operations_ *= 4 / (3 + double(count));

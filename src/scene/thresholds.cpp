@@ -77,7 +77,7 @@ double power_of_two(int exponent) {
     return std::ldexp(1.0, std::clamp(exponent, -largest_exponent, largest_exponent));
 }
 
-// The power of two that F is divided by for a slope of 1 in the median, or 0 where slopes are
+// The power of two that F is divided by for moderate slopes, 1 in the median, or 0 where they are
 // moderate. Steep powers have slopes of every size: what is large in one place near the surface
 // must not be scaled until another place is lost.
 int moderated_exponent(std::span<const double> slopes) {
@@ -86,13 +86,13 @@ int moderated_exponent(std::span<const double> slopes) {
     const int median = std::ilogb(slopes[slopes.size() / 2]);
     const int least = std::ilogb(slopes[tenth]);
     const int most = std::ilogb(slopes[slopes.size() - 1 - tenth]);
-    const int exponent = median > 0 ? std::min(median, least + moderate_exponent)
-                                    : std::max(median, most - moderate_exponent);
+    const int exponent = median > 0 ? std::clamp(least + moderate_exponent, 0, median)
+                                    : std::clamp(most - moderate_exponent, median, 0);
     return std::abs(exponent) <= moderate_exponent ? 0 : exponent;
 }
 
-// The samples by doubles whose values floats come to as well, unscaled or times `scale`. The others
-// have parts that are cut off at 10^30, or underflow, whatever the scale.
+// Samples by floats that come to the values of doubles, unscaled or times `scale`. The others have
+// parts that are cut off at 10^30, or underflow, whatever the scale.
 std::vector<Sample> samples_that_floats_hold(const formula::Field& field, const SceneAt& scene,
                                              double scale) {
     const std::vector<Sample> exact = samples_of<double>(field, scene);
@@ -102,8 +102,10 @@ std::vector<Sample> samples_that_floats_hold(const formula::Field& field, const 
     std::vector<Sample> held;
     for (std::size_t k = 0; k < exact.size(); ++k) {
         const double value = exact[k].value;
-        if (agree(unscaled[k].value, value) || agree(scaled[k].value, scale * value))
-            held.push_back(exact[k]);
+        if (agree(unscaled[k].value, value))
+            held.push_back(unscaled[k]);
+        else if (agree(scaled[k].value, scale * value))
+            held.push_back({value, scaled[k].slope / scale});
     }
     return held;
 }
@@ -123,11 +125,10 @@ Thresholds field_thresholds(double slope, double step) {
 
 double field_scale(const formula::Field& field, const SceneAt& scene) {
     std::vector<double> slopes = slopes_near_surface(samples_of<double>(field, scene));
-    int exponent = moderated_exponent(slopes);
+    const int exponent = moderated_exponent(slopes);
     if (exponent == 0) return 1;
     slopes = slopes_near_surface(samples_that_floats_hold(field, scene, power_of_two(-exponent)));
-    if (!slopes.empty()) exponent = moderated_exponent(slopes);
-    return power_of_two(-exponent);
+    return power_of_two(-moderated_exponent(slopes)); // 1 if no scale makes floats hold F
 }
 
 Float32Loss float32_loss(const formula::Field& field, const SceneAt& scene) {

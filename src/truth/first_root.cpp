@@ -353,7 +353,6 @@ void RootFinder::march(Lane& lane, const Interval& at_b, const Interval& f, cons
     // One crossing and no more, if the slope has one sign: F is continuous then.
     const bool crosses = sign_a != 0 && sign_b == -sign_a;
     if (crosses && sign_of(slope) != 0 && !lane.in_run) {
-        lane.sign = sign_a; // unknown behind a gap
         lane.low = lane.a;
         lane.high = b;
         lane.phase = Lane::Phase::refine;
@@ -391,20 +390,21 @@ void RootFinder::end_run(Lane& lane, int sign) {
     lane.end_crossing(breaks(lane.tube, lane.low, lane.high).is_continuous);
 }
 
-// Goes on to the end of a piece where F has no value: what was uncertain ends before it, and what
-// sign F had before tells nothing of after.
+// Goes on to the end of a piece where F has no value or no zero: what was uncertain ends before it,
+// and what sign F had before tells nothing of after.
 void RootFinder::pass_gap(Lane& lane, const Interval& at_b) const {
     const double b = lane.b();
     if (lane.in_run && lane.run_begin < lane.a) lane.touch(lane.run_begin, lane.a);
     lane.in_run = false;
-    lane.sign = 0;
+    lane.sign = sign_of(at_b);
     lane.step = 1.5 * (b - lane.a);
     lane.a = b;
     lane.at_a = at_b;
     if (b >= lane.tube.far) finish(lane);
 }
 
-// Whether F has all values between those at the ends of a piece, and whether it has none there.
+// Whether F has all values between those at the ends of a piece, and whether it has none there, or
+// none that is 0.
 RootFinder::Breaks RootFinder::breaks(const Tube& tube, double low, double high) {
     Request piece;
     piece.add(tube, low, high, false);

@@ -6,6 +6,7 @@
 #include <optional>
 #include <vector>
 
+#include "formula/graph/operations.h"
 #include "formula/graph/substitute.h"
 #include "formula/graph/term.h"
 
@@ -19,22 +20,40 @@ struct Exponential {
     bool is_one = true; // otherwise the factor is the entire expression and the exponent 0
 };
 
-// log(sum) of one sum. Nodes may be shared, so that paths are many more: beyond some a part is not
-// looked into.
+constexpr int first_largest = 1 << 16; // of the inputs that stand for m
+
+// log(sum) of one sum, where `m` stands for the largest exponent. Nodes may be shared, so that
+// paths are many more: beyond some a part is not looked into.
 class LogOfSum {
 public:
-    // Nothing if the sum has no exponentials.
-    std::optional<Term> operator()(Term sum) {
-        add_terms(sum, 1);
-        if (std::ranges::none_of(terms_, &Exponential::is_one)) return {};
+    explicit LogOfSum(Term sum) { add_terms(sum, 1); }
+
+    // Whether there are exponentials, and factors that are never 0: the largest exponential counts
+    // then.
+    bool has_largest() const {
+        const auto is_never_0 = [](const Exponential& term) {
+            const Node& factor = (*term.factor.graph)[term.factor.node];
+            return factor.op == Op::constant && factor.value != 0;
+        };
+        return std::ranges::any_of(terms_, &Exponential::is_one) &&
+               std::ranges::all_of(terms_, is_never_0);
+    }
+
+    // Cut off where floats are, so that no infinite one is subtracted from itself.
+    Term largest() const {
         Term most = terms_.front().exponent;
         for (const Exponential& term : terms_) most = max(most, term.exponent);
+        const double end = Operations<float>::saturation();
+        return max(most.number(-end), min(most, most.number(end)));
+    }
+
+    Term value(Term m) const {
         std::optional<Term> rest;
         for (const Exponential& term : terms_) {
-            const Term part = term.factor * (term.exponent - most).of(Op::exp);
+            const Term part = term.factor * (term.exponent - m).of(Op::exp);
             rest = rest ? *rest + part : part;
         }
-        return most + rest->of(Op::log);
+        return m + rest->of(Op::log);
     }
 
 private:
@@ -90,27 +109,47 @@ private:
 
 } // namespace
 
-NodeId with_small_exponents(Graph& graph, NodeId root) {
-    bool changes = false;
-    const auto replacement = [&changes](Graph& to, const Node& node, NodeId rebuilt) {
+SmallExponents::SmallExponents(Graph& graph, NodeId root)
+    : graph_(graph)
+    , root_(root) {
+    const auto replacement = [this](Graph& to, const Node& node, NodeId rebuilt) {
         if (node.op != Op::log || to[rebuilt].op != Op::log) return rebuilt;
-        const auto found = LogOfSum()({&to, to[rebuilt].children[0]});
-        changes = changes || found;
-        return found ? found->node : rebuilt;
+        if (to[rebuilt].arrays != 0) return rebuilt; // the input that stands for m has none
+        const LogOfSum found({&to, to[rebuilt].children[0]});
+        if (!found.has_largest()) return rebuilt;
+        const Term m{&to, to.input(first_largest + int(largest_.size()))};
+        // Those of logarithms within this one are known.
+        largest_.push_back(complete(std::array{found.largest().node}).front());
+        return found.value(m).node;
     };
     const NodeId replaced = substitute(graph, graph, std::array{root}, replacement).front();
-    return changes ? replaced : root;
+    if (!largest_.empty()) root_ = replaced;
+}
+
+std::vector<NodeId> SmallExponents::complete(std::span<const NodeId> roots) const {
+    if (largest_.empty()) return {roots.begin(), roots.end()};
+    const auto replacement = [this](Graph&, const Node& node, NodeId rebuilt) {
+        const bool is_largest = node.op == Op::input && node.index >= first_largest;
+        return is_largest ? largest_[std::size_t(node.index - first_largest)] : rebuilt;
+    };
+    return substitute(graph_, graph_, roots, replacement);
 }
 
 bool has_fading_logs(const Graph& graph, NodeId root) {
-    const auto any_below = [&](NodeId from, Op op, auto&& holds) {
-        return std::ranges::any_of(nodes_below(graph, std::array{from}),
-                                   [&](NodeId id) { return graph[id].op == op && holds(id); });
-    };
-    const auto is_one = [](NodeId) { return true; };
-    const auto sums_exponentials = [&](NodeId sum) { return any_below(sum, Op::exp, is_one); };
-    return any_below(root, Op::log,
-                     [&](NodeId log) { return any_below(log, Op::sum, sums_exponentials); });
+    // Whether there are exponentials below a node, and whether any of them are summed over
+    // elements.
+    std::vector<bool> has_some(std::size_t(root) + 1), sums_some(std::size_t(root) + 1);
+    for (const NodeId id : nodes_below(graph, std::array{root})) {
+        const Node& node = graph[id];
+        has_some[id] = node.op == Op::exp;
+        for (std::size_t k = 0; k < node.arity; ++k) {
+            has_some[id] = has_some[id] || has_some[node.children[k]];
+            sums_some[id] = sums_some[id] || sums_some[node.children[k]];
+        }
+        sums_some[id] = sums_some[id] || (node.op == Op::sum && has_some[id]);
+        if (node.op == Op::log && sums_some[id]) return true;
+    }
+    return false;
 }
 
 } // namespace isomotion::formula

@@ -25,12 +25,7 @@ std::optional<Term> product(const std::optional<Term>& a, const std::optional<Te
     return a ? std::optional(times(*a, b)) : b;
 }
 
-bool are_alike(const Quotient& a, const Quotient& b) {
-    return a.under && b.under && a.under->node == b.under->node;
-}
-
 Quotient sum(Op op, const Quotient& a, const Quotient& b) {
-    if (are_alike(a, b)) return {a.over.with(op, b.over), a.under};
     return {times(a.over, b.under).with(op, times(b.over, a.under)), product(a.under, b.under)};
 }
 
@@ -53,7 +48,6 @@ Quotient quotient(Graph& g, NodeId id, const std::vector<Quotient>& known) {
         return {a.over * b.over, product(a.under, b.under)};
     case Op::divide:
         if (g.is_constant(node.children[1])) return {a.over / b.over, a.under};
-        if (are_alike(a, b)) return {a.over, b.over};
         return {times(a.over, b.under), product(a.under, b.over)};
     case Op::tan: {
         const Term of{&g, node.children[0]};
@@ -61,7 +55,9 @@ Quotient quotient(Graph& g, NodeId id, const std::vector<Quotient>& known) {
     }
     case Op::power: {
         const Term base{&g, node.children[0]};
-        if (!g.is_constant(node.children[1]) || !(g[node.children[1]].value < 0)) return {itself};
+        // A negative power of a pole is 0.
+        const bool is_pole = g.is_constant(node.children[1]) && g[node.children[1]].value < 0;
+        if (!is_pole || a.under) return {itself};
         return {base.number(1), base.with(Op::power, base.number(-g[node.children[1]].value))};
     }
     default:
@@ -79,7 +75,8 @@ NodeId keeps_off_0(Graph& g, NodeId id) {
 NodeId without_zero(Graph& g, NodeId root) {
     const std::vector<NodeId> below = nodes_below(g, std::array{root});
     std::size_t quotients = 0;
-    for (const NodeId id : below) quotients += g[id].op == Op::divide || g[id].op == Op::tan;
+    for (const NodeId id : below)
+        quotients += g[id].op == Op::divide || g[id].op == Op::tan || g[id].op == Op::power;
     if (below.size() > most_nodes || quotients > most_quotients) return g.constant(0);
     std::vector<Quotient> known(std::size_t(root) + 1, Quotient{{&g, root}});
     std::vector<std::optional<NodeId>> nowhere(std::size_t(root) + 1); // of those with poles

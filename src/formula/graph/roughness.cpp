@@ -10,9 +10,6 @@ namespace isomotion::formula {
 namespace {
 
 constexpr double smooth_power = 3;
-// Of the denominator of a smooth quotient that a box may leave. At a sixteenth, (x^2 - y^2)/(x^2 +
-// y^2) lost 12 of 9216 pixels beside its axis, at a quarter 4, at half none, in fewer evaluations.
-constexpr double least_part = 0x1p-1;
 
 // Whether a node is 0 where it has its kink, so that a power of it may be smooth there.
 bool is_0_at_kink(const Graph& g, const Node& node) {
@@ -79,7 +76,7 @@ NodeId kink_of(Graph& g, NodeId id) {
     }
 }
 
-NodeId pole_of(Graph& g, NodeId id) {
+NodeId pole_of(Graph& g, NodeId id, double least_part) {
     const Node node = g[id];
     const NodeId a = node.children[0], b = node.children[1], zero = g.constant(0);
     switch (node.op) {
@@ -106,7 +103,7 @@ NodeId pole_of(Graph& g, NodeId id) {
 
 } // namespace
 
-Roughness roughness(Graph& g, NodeId root) {
+Roughness roughness(Graph& g, NodeId root, double least_part) {
     const std::vector<bool> is_smooth = smoothed(g, root);
     Roughness found;
     const auto add = [&](std::vector<NodeId>& to, NodeId decoration) {
@@ -119,7 +116,7 @@ Roughness roughness(Graph& g, NodeId root) {
         if (op == Op::floor || op == Op::sign || op == Op::random || op == Op::select ||
             op == Op::pick)
             add(found.jumps, unless_continuous(g, id));
-        add(found.poles, pole_of(g, id));
+        add(found.poles, pole_of(g, id, least_part));
     }
     add(found.poles, gaps(g, root));
     return found;

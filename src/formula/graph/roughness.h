@@ -14,12 +14,20 @@ struct Roughness {
     // Slopes jump or are unbounded: abs, min, max, roots and real powers at 0.
     std::vector<NodeId> kinks;
     std::vector<NodeId> jumps; // floor, sign, the branches of a selection
-    std::vector<NodeId> poles; // quotients, negative powers, log, tan; places without a value
+    std::vector<NodeId>
+        poles; // quotients, angles, negative powers, log, tan; places without a value
 };
 
 // A kink raised to the third or a higher power (max(0, u)^3) doesn't count: second derivatives are
 // continuous there. Nor do exp, sinh and cosh where they are cut off, at 10^30.
-Roughness roughness(Graph& graph, NodeId root);
+// Quotients count as smooth over boxes that leave at least a part of the denominator's size.
+Roughness roughness(Graph& graph, NodeId root, double least_part);
+
+// For what rays meet of a formula. Poles of (x^2 - y^2)/(x^2 + y^2) are on few rays.
+inline constexpr double least_part_of_rays = 0x1p-4;
+// For pieces of rays, where that formula turns about its axis: at a sixteenth it lost 12 of 9216
+// pixels, at a quarter 4, at a half none, in fewer evaluations.
+inline constexpr double least_part_of_pieces = 0x1p-1;
 
 // The sum of all of them.
 NodeId anywhere(Graph& graph, const Roughness& roughness);
