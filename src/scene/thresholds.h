@@ -20,7 +20,8 @@ Thresholds field_thresholds(double slope, double step);
 // The power of two to multiply F with (Field::scale), so that float32 neither overflows nor
 // underflows on the way to a verdict. It is 1 if F's slope near the surface is moderate. Otherwise
 // it scales the slope to 1, which keeps all that a march takes, F as its second derivative, within
-// float32, whatever the size of the bounds. Scaling a field times 2^k gives the same field.
+// float32, whatever the size of the bounds; only part of the way where a tenth of the slopes would
+// be lost by that. Scaling a field times 2^k gives the same field.
 double field_scale(const formula::Field& field, const SceneAt& scene);
 
 struct Float32Loss {
