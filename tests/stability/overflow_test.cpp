@@ -68,6 +68,9 @@ INSTANTIATE_TEST_SUITE_P(
                 "-log(exp(-64*(sqrt((x - 0.5)^2 + y^2) - 0.4)) + exp(-64*(sqrt((x + 0.4)^2 + y^2 + "
                 "z^2) - 0.3)))/64",
                 1.8, 6, 0.02, 0, 0),
+        extreme("blend of a blend",
+                "-log(exp(-1000*(-log(exp(-1000*x) + exp(-1000*y))/1000)) + exp(-1000*z))/1000",
+                1.5, 5, 0.02, 0, 0),
         // F and its slopes are finite, and its second derivative is not.
         extreme("three steep planes",
                 "(exp(40*x) - 1)*(exp(40*x) - 3)*(exp(40*(x - 0.2)) - 2) + 0.001*y", 9, 30, 0.05, 0,

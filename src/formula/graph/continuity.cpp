@@ -105,7 +105,15 @@ NodeId unless_continuous(Graph& g, NodeId id) {
     return may_be_unbounded(node.op) ? unless_bounded(g, id) : g.constant(0);
 }
 
-NodeId jumps(Graph& g, NodeId root) { return all_below(g, root, unless_continuous); }
+NodeId jumps(Graph& g, NodeId root) {
+    // Enclosures of a sum of exponentials hold 0 where floats come to it, and its logarithm does
+    // not jump there.
+    const std::vector<bool> is_positive = positives(g, root);
+    return all_below(g, root, [&](Graph& to, NodeId id) {
+        const bool is_of_positive = to[id].op == Op::log && is_positive[to[id].children[0]];
+        return is_of_positive ? to.constant(0) : unless_continuous(to, id);
+    });
+}
 
 NodeId gaps(Graph& g, NodeId root) {
     std::vector<bool> is_resting(std::size_t(root) + 1, true); // without inputs and elements

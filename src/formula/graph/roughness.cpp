@@ -5,6 +5,7 @@
 
 #include "formula/graph/continuity.h"
 #include "formula/graph/decoration.h"
+#include "formula/graph/sign.h"
 
 namespace isomotion::formula {
 namespace {
@@ -104,7 +105,7 @@ NodeId pole_of(Graph& g, NodeId id, double least_part) {
 } // namespace
 
 Roughness roughness(Graph& g, NodeId root, double least_part) {
-    const std::vector<bool> is_smooth = smoothed(g, root);
+    const std::vector<bool> is_smooth = smoothed(g, root), is_positive = positives(g, root);
     Roughness found;
     const auto add = [&](std::vector<NodeId>& to, NodeId decoration) {
         if (!g.is_constant(decoration, 0)) to.push_back(of_any_element(g, decoration));
@@ -116,7 +117,8 @@ Roughness roughness(Graph& g, NodeId root, double least_part) {
         if (op == Op::floor || op == Op::sign || op == Op::random || op == Op::select ||
             op == Op::pick)
             add(found.jumps, unless_continuous(g, id));
-        add(found.poles, pole_of(g, id, least_part));
+        const bool is_log_of_positive = op == Op::log && is_positive[g[id].children[0]];
+        if (!is_log_of_positive) add(found.poles, pole_of(g, id, least_part));
     }
     add(found.poles, gaps(g, root));
     return found;

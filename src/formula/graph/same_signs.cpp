@@ -3,8 +3,10 @@
 #include <cmath>
 #include <optional>
 #include <unordered_map>
+#include <vector>
 
 #include "formula/graph/degree.h"
+#include "formula/graph/sign.h"
 
 namespace isomotion::formula {
 namespace {
@@ -12,8 +14,9 @@ namespace {
 // Nodes may be shared: each is looked at once.
 class Simplification {
 public:
-    explicit Simplification(Graph& graph)
-        : graph_(graph) {}
+    Simplification(Graph& graph, NodeId root)
+        : graph_(graph)
+        , is_positive_(positives(graph, root)) {}
 
     NodeId without_factors(NodeId id) { return once(left_, id, &Simplification::leave_out); }
 
@@ -27,40 +30,8 @@ private:
         return now;
     }
 
-    bool is_constant_from(NodeId id, double least) const {
-        return graph_.is_constant(id) && graph_[id].value >= least &&
-               std::isfinite(graph_[id].value);
-    }
-
-    // Whether it is above 0 everywhere, though it may come to 0 in floats.
-    bool is_positive(NodeId id) { return once(positive_, id, &Simplification::find_positive); }
-
-    bool find_positive(NodeId id) {
-        const Node node = graph_[id];
-        if (node.may_have_gaps) return false;
-        const auto [a, b, c, d] = node.children;
-        const auto is_tanh = [&](NodeId part) { return graph_[part].op == Op::tanh; };
-        switch (node.op) {
-        case Op::exp:
-        case Op::cosh:
-            return true;
-        case Op::constant:
-            return is_constant_from(id, 0) && node.value > 0;
-        case Op::multiply:
-        case Op::divide:
-            return is_positive(a) && is_positive(b);
-        case Op::add:
-            return (is_positive(a) && is_positive(b)) || (is_constant_from(a, 1) && is_tanh(b)) ||
-                   (is_constant_from(b, 1) && is_tanh(a));
-        case Op::subtract:
-            return is_constant_from(a, 1) && is_tanh(b);
-        default:
-            return false;
-        }
-    }
-
     bool may_be_left_out(NodeId factor) {
-        return !graph_.is_constant(factor) && is_positive(factor);
+        return !graph_.is_constant(factor) && is_positive_[factor];
     }
 
     // u of an expression that is exp(u).
@@ -72,7 +43,7 @@ private:
         const Node node = graph_[id];
         if (node.may_have_gaps) return {};
         if (node.op == Op::exp) return node.children[0];
-        if (node.op == Op::constant && is_positive(id))
+        if (node.op == Op::constant && is_positive_[id])
             return graph_.constant(std::log(node.value));
         if (node.op != Op::multiply) return {};
         const auto a = exponent(node.children[0]), b = exponent(node.children[1]);
@@ -115,7 +86,7 @@ private:
     }
 
     Graph& graph_;
-    Known<bool> positive_;
+    std::vector<bool> is_positive_;
     Known<std::optional<NodeId>> exponents_;
     Known<NodeId> left_;
 };
@@ -123,7 +94,7 @@ private:
 } // namespace
 
 NodeId same_signs(Graph& graph, NodeId root) {
-    const NodeId found = Simplification(graph).without_factors(root);
+    const NodeId found = Simplification(graph, root).without_factors(root);
     return graph.is_constant(found) ? root : found; // a formula without a zero stays as it is
 }
 

@@ -116,4 +116,40 @@ bool is_never_negative(const Graph& g, NodeId id, int depth) {
 
 bool may_round_below_0(const Graph& g, NodeId id) { return least_beside_a_wave(g, g[id], 12) == 0; }
 
+std::vector<bool> positives(const Graph& g, NodeId root) {
+    std::vector<bool> found(std::size_t(root) + 1, false);
+    const auto is_tanh = [&](NodeId id) { return g[id].op == Op::tanh; };
+    const auto is_1_or_more = [&](NodeId id) {
+        return g.is_constant(id) && g[id].value >= 1 && std::isfinite(g[id].value);
+    };
+    for (NodeId id = 0; id <= root; ++id) {
+        const Node& node = g[id];
+        const auto [a, b, c, d] = node.children;
+        if (node.may_have_gaps) continue;
+        switch (node.op) {
+        case Op::exp:
+        case Op::cosh:
+            found[id] = true;
+            break;
+        case Op::constant:
+            found[id] = node.value > 0 && std::isfinite(node.value);
+            break;
+        case Op::multiply:
+        case Op::divide:
+            found[id] = found[a] && found[b];
+            break;
+        case Op::add:
+            found[id] = (found[a] && found[b]) || (is_1_or_more(a) && is_tanh(b)) ||
+                        (is_1_or_more(b) && is_tanh(a));
+            break;
+        case Op::subtract:
+            found[id] = is_1_or_more(a) && is_tanh(b);
+            break;
+        default:
+            break;
+        }
+    }
+    return found;
+}
+
 } // namespace isomotion::formula

@@ -207,6 +207,21 @@ TEST(WithinGaps, AreNowhereElseThanInGaps) {
 }
 
 // max(0, b) is 0, as b is -0.75.
+// An enclosure of exp(-2000) holds 0.
+TEST(Jumps, OfLogarithmsAreWhereTheyMayBeOf0) {
+    const Box box{Interval(-2000, 1), Interval(-2000, 1), Interval(-2000, 1)};
+    const auto may_jump = [&](const char* text) {
+        return !(Subject(text).by_0_over(box)[1] == Interval{0, 0});
+    };
+    for (const char* text : {"log(exp(x) + exp(y))", "log(2*exp(x)*exp(y)/3 + exp(z))",
+                             "log(3 - tanh(x))", "log(exp(y)*(3 - tanh(z)))",
+                             "log(cosh(x/99)*exp(y))", "log(exp(log(exp(x) + exp(y))) + exp(z))"})
+        EXPECT_FALSE(may_jump(text)) << text;
+    for (const char* text : {"log(x)", "log(x^2)", "log(exp(x) - exp(y))", "log(exp(x)*y)",
+                             "log(exp(x) + y)", "log(exp(-x))", "log(exp(1/x) + 1)"})
+        EXPECT_TRUE(may_jump(text)) << text;
+}
+
 TEST(DividedBy0, IsSaidWhereADivisorIs0Everywhere) {
     const Interval some{-1, 1}, above{1, 2};
     for (const char* formula :
