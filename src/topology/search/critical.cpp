@@ -177,10 +177,9 @@ private:
     bool may_have_kink(const MovingField& field, const Box& box) {
         if (!rough_) {
             formula::Graph graph = motion_.graph;
-            const formula::NodeId rough = formula::anywhere(
-                graph, {formula::roughness(graph, motion_.field, formula::least_part_of_rays).kinks,
-                        {},
-                        {}});
+            const auto kinks =
+                formula::roughness(graph, motion_.field, formula::least_part_of_rays).kinks;
+            const formula::NodeId rough = formula::anywhere(graph, {kinks, {}, {}});
             rough_ = formula::schedule(graph, std::array{rough});
         }
         const SpaceBox at = places(field.stratum()).at(field, box);
