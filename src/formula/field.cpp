@@ -4,7 +4,7 @@
 #include <iterator>
 
 #include "formula/graph/derivative.h"
-#include "formula/graph/log_sums.h"
+#include "formula/graph/in_range.h"
 #include "formula/graph/lowering.h"
 #include "formula/graph/parser.h"
 #include "formula/graph/same_signs.h"
@@ -34,8 +34,8 @@ void derive_programs(Field& field) {
     const std::vector<NodeId> direction{g.input(first_direction), g.input(first_direction + 1),
                                         g.input(first_direction + 2)};
     const NodeId one = g.constant(1), zero = g.constant(0);
-    const SmallExponents small(g, field.root);
-    const NodeId root = small.root();
+    const InRange in_range(g, field.root);
+    const NodeId root = in_range.root();
     const NodeId along = differentiate_inputs(g, root, direction);
     std::array slopes{differentiate_inputs(g, root, {one, zero, zero}),
                       differentiate_inputs(g, root, {zero, one, zero}),
@@ -43,7 +43,7 @@ void derive_programs(Field& field) {
     if (field.wall_distance > 0) slopes = wall_gradient(g, root, field.wall_distance);
 
     const std::vector<NodeId> all =
-        small.complete(std::array{root, along, slopes[0], slopes[1], slopes[2]});
+        in_range.complete(std::array{root, along, slopes[0], slopes[1], slopes[2]});
     Graph working = g; // lowering adds nodes that only the programs need
     const std::vector<NodeId> low = lower(working, all);
     field.value = schedule(working, std::array{low[0]});

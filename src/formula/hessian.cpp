@@ -1,7 +1,7 @@
 #include "formula/hessian.h"
 
 #include "formula/graph/derivative.h"
-#include "formula/graph/log_sums.h"
+#include "formula/graph/in_range.h"
 #include "formula/graph/lowering.h"
 
 namespace isomotion::formula {
@@ -13,15 +13,15 @@ Program hessian(const Field& field) {
         axes[k].assign(3, g.constant(0));
         axes[k][k] = g.constant(1);
     }
-    const SmallExponents small(g, field.root);
+    const InRange in_range(g, field.root);
     std::vector<NodeId> second;
     for (std::size_t i = 0; i < 3; ++i) {
-        const NodeId first = differentiate_inputs(g, small.root(), axes[i]);
+        const NodeId first = differentiate_inputs(g, in_range.root(), axes[i]);
         for (std::size_t j = i; j < 3; ++j) {
             second.push_back(differentiate_inputs(g, first, axes[j], Slopes::pointwise_again));
         }
     }
-    return schedule(g, lower(g, small.complete(second)));
+    return schedule(g, lower(g, in_range.complete(second)));
 }
 
 std::string glsl_hessian(const Program& hessian, const ArrayPacking& packing) {

@@ -457,15 +457,19 @@ NodeId Graph::integer_power(NodeId a, int n) {
     if (n < 0) return divide(constant(1), integer_power(a, -n));
     if (n == 0) return constant(1);
     if (nodes_[a].op == Op::abs && n % 2 == 0) return integer_power(nodes_[a].children[0], n);
-    // High powers overflow float inside ordinary bounds (6^200); clamping the base keeps sums of
-    // them free of inf - inf. Low ones don't, and stay bare products that others can share.
-    constexpr int bare = 24;
-    if (n > bare) {
-        const NodeId reach = constant(std::pow(double(Operations<float>::saturation()), 1.0 / n));
-        const NodeId low = unary(Op::negate, reach);
-        a = binary(Op::max, low, binary(Op::min, reach, a));
+    if (const std::optional<double> end = reach(n)) {
+        const NodeId high = constant(*end), low = unary(Op::negate, high);
+        a = binary(Op::max, low, binary(Op::min, high, a));
     }
     return product(*this, a, n);
+}
+
+// High powers overflow float inside ordinary bounds (6^200); clamping the base keeps sums of them
+// free of inf - inf. Low ones don't, and stay bare products that others can share.
+std::optional<double> Graph::reach(int n) {
+    constexpr int bare = 24;
+    if (n <= bare) return std::nullopt;
+    return std::pow(double(Operations<float>::saturation()), 1.0 / n);
 }
 
 std::string_view name(Op op) {

@@ -102,6 +102,8 @@ public:
     NodeId which(int array, NodeId key) { return over_elements(Op::which, array, key); }
     // a^n by repeated squaring; x^2, x^4 and x^6 of one formula share their products.
     NodeId integer_power(NodeId a, int n);
+    // The largest base of the n-th power, if that is cut off: max(-reach, min(reach, a))^n.
+    static std::optional<double> reach(int n);
 
     NodeId add(NodeId a, NodeId b) { return binary(Op::add, a, b); }
     NodeId subtract(NodeId a, NodeId b) { return binary(Op::subtract, a, b); }

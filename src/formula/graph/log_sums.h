@@ -1,37 +1,45 @@
 // Logarithms of sums of exponentials, as of bodies that are blended by log(exp(-k*a) + exp(-k*b)).
 #pragma once
 
-#include <span>
 #include <vector>
 
-#include "formula/graph/graph.h"
+#include "formula/graph/term.h"
 
 namespace isomotion::formula {
 
-// An expression equal to another on paper: log(p*exp(u) + q*exp(v)) as m + log(p*exp(u - m) +
-// q*exp(v - m)), where m is the larger of u and v, and p and q are constants other than 0.
-// Exponentials alone are 0 below exp(-87) in float32 and cut off at exp(69), so F would be flat
-// there, or infinite. For values: in intervals m would count several times. Sums over elements, and
-// logarithms for each element, stay as they are.
-//
-//     const SmallExponents small(graph, root);
-//     const NodeId slope = differentiate_inputs(graph, small.root(), direction);
-//     const std::vector<NodeId> both = small.complete(std::array{small.root(), slope});
-class SmallExponents {
+// log(sum): of p*exp(u) + q*exp(v), where p and q are constants other than 0, it is m + log(p*exp(u
+// - m) + q*exp(v - m)), where m is the larger of u and v. Exponentials alone are 0 below exp(-87)
+// in float32 and cut off at exp(69).
+class LogOfSum {
 public:
-    SmallExponents(Graph& graph, NodeId root);
+    explicit LogOfSum(Term sum) { add_terms(sum, 1); }
 
-    // The expression, with an input of its own for each m. What it comes to does not depend on m,
-    // so derivatives take m for a constant.
-    NodeId root() const { return root_; }
+    // Whether there are exponentials, and factors that are never 0: the largest exponential counts
+    // then.
+    bool has_largest() const;
 
-    // Expressions made of root(), with m in the place of these inputs.
-    std::vector<NodeId> complete(std::span<const NodeId> roots) const;
+    // The largest exponent, cut off where floats are, so that no infinite one is subtracted from
+    // itself.
+    Term largest() const;
+
+    // The logarithm, where `m` stands for the largest exponent.
+    Term value(Term m) const;
 
 private:
-    Graph& graph_;
-    NodeId root_;
-    std::vector<NodeId> largest_; // m, complete
+    // factor * exp(exponent)
+    struct Exponential {
+        Term factor;
+        Term exponent;
+        bool is_one = true; // otherwise the factor is the entire expression and the exponent 0
+    };
+
+    // Adds `sign` times the terms of a.
+    void add_terms(Term a, double sign);
+    Exponential exponential(Term a);
+
+    std::vector<Exponential> terms_;
+    // Nodes may be shared, so that paths are many more: beyond some a part is not looked into.
+    int left_ = 256;
 };
 
 // Whether there is a logarithm of exponentials that are summed over elements. Such a sum stays as

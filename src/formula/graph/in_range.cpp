@@ -1,0 +1,52 @@
+#include "formula/graph/in_range.h"
+
+#include <array>
+
+#include "formula/graph/log_sums.h"
+#include "formula/graph/power_sums.h"
+#include "formula/graph/substitute.h"
+
+namespace isomotion::formula {
+namespace {
+
+constexpr int first_largest = 1 << 16; // of the inputs that stand for m
+
+} // namespace
+
+InRange::InRange(Graph& graph, NodeId root)
+    : graph_(graph)
+    , root_(root) {
+    const auto taken_from_largest = [this](const auto& sum, Graph& to) {
+        const Term m{&to, to.input(first_largest + int(largest_.size()))};
+        // Those of sums within this one are known.
+        largest_.push_back(complete(std::array{sum.largest().node}).front());
+        return sum.value(m).node;
+    };
+    const auto replacement = [&](Graph& to, const Node& node, NodeId rebuilt) {
+        const Node now = to[rebuilt]; // a copy: the graph grows
+        // The input that stands for m belongs to no element.
+        if (now.op != node.op || now.arrays != 0) return rebuilt;
+        const Term first{&to, now.children[0]}, second{&to, now.children[1]};
+        if (now.op == Op::log) {
+            const LogOfSum sum(first);
+            if (sum.has_largest()) return taken_from_largest(sum, to);
+        } else if (now.op == Op::power) {
+            const PowerOfSum sum(first, second);
+            if (sum.has_largest()) return taken_from_largest(sum, to);
+        }
+        return rebuilt;
+    };
+    const NodeId replaced = substitute(graph, graph, std::array{root}, replacement).front();
+    if (!largest_.empty()) root_ = replaced;
+}
+
+std::vector<NodeId> InRange::complete(std::span<const NodeId> roots) const {
+    if (largest_.empty()) return {roots.begin(), roots.end()};
+    const auto replacement = [this](Graph&, const Node& node, NodeId rebuilt) {
+        const bool is_largest = node.op == Op::input && node.index >= first_largest;
+        return is_largest ? largest_[std::size_t(node.index - first_largest)] : rebuilt;
+    };
+    return substitute(graph_, graph_, roots, replacement);
+}
+
+} // namespace isomotion::formula
