@@ -5,6 +5,7 @@
 #include "formula/graph/decoration.h"
 #include "formula/graph/degree.h"
 #include "formula/graph/derivative.h"
+#include "formula/graph/in_range.h"
 #include "formula/graph/numerator.h"
 #include "formula/graph/roughness.h"
 
@@ -30,10 +31,12 @@ struct Enclosed {
         graph.fold_exactly();
         const NodeId root = with_chebyshev(graph, field.root);
         const NodeId without = gaps(graph, root);
-        value = graph.add(root, without);
+        value = graph.add(bounds_in_range(graph, root), without);
+        const InRange in_range(graph, root, Purpose::slopes);
         const auto slope = [&](const std::vector<NodeId>& directions) {
-            return graph.add(differentiate_inputs(graph, root, directions, Slopes::generalized),
-                             without);
+            const NodeId found =
+                differentiate_inputs(graph, in_range.root(), directions, Slopes::generalized);
+            return graph.add(in_range.complete(std::array{found}).front(), without);
         };
         const NodeId one = graph.constant(1), zero = graph.constant(0);
         along = slope(direction(graph));
@@ -67,7 +70,7 @@ EnclosurePrograms enclosure_programs(const Field& field) {
             schedule(g, e.gradient), schedule(g, std::array{e.is_root, e.none}),
             schedule(g, std::array{e.jump, nothing}),
             // As it is evaluated: what is smooth on paper may lose its slope in floats.
-            schedule(g, std::array{with_gaps(g, field.root),
+            schedule(g, std::array{g.add(bounds_in_range(g, field.root), gaps(g, field.root)),
                                    anywhere(g, roughness(g, field.root, least_part_of_pieces))}),
             e.may_lack_values()};
 }
@@ -96,7 +99,7 @@ Program value_enclosure(const Field& field) {
     Graph g = field.graph;
     g.fold_exactly();
     const NodeId root = with_chebyshev(g, field.root);
-    return schedule(g, std::array{g.add(root, gaps(g, root))});
+    return schedule(g, std::array{g.add(bounds_in_range(g, root), gaps(g, root))});
 }
 
 std::optional<Program> hessian_program(const Field& field) {

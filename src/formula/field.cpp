@@ -34,7 +34,7 @@ void derive_programs(Field& field) {
     const std::vector<NodeId> direction{g.input(first_direction), g.input(first_direction + 1),
                                         g.input(first_direction + 2)};
     const NodeId one = g.constant(1), zero = g.constant(0);
-    const InRange in_range(g, field.root);
+    const InRange in_range(g, field.root, Purpose::numbers);
     const NodeId root = in_range.root();
     const NodeId along = differentiate_inputs(g, root, direction);
     std::array slopes{differentiate_inputs(g, root, {one, zero, zero}),

@@ -13,7 +13,7 @@ Program hessian(const Field& field) {
         axes[k].assign(3, g.constant(0));
         axes[k][k] = g.constant(1);
     }
-    const InRange in_range(g, field.root);
+    const InRange in_range(g, field.root, Purpose::numbers);
     std::vector<NodeId> second;
     for (std::size_t i = 0; i < 3; ++i) {
         const NodeId first = differentiate_inputs(g, in_range.root(), axes[i]);

@@ -5,24 +5,26 @@
 #include <vector>
 
 #include "formula/graph/graph.h"
+#include "formula/graph/purpose.h"
 
 namespace isomotion::formula {
 
-// An expression equal to another on paper, in which sums are divided by their largest term m:
-// logarithms of sums of exponentials (log_sums.h) and powers of sums of powers (power_sums.h). As
-// written, all terms would be 0 or cut off in floats, and F flat there. For values: in intervals m
-// would count several times. Sums over elements, and what is made for each element, stay as they
-// are.
+// An expression equal to another on paper, in which sums are taken from their largest term:
+// logarithms of sums of exponentials (log_sums.h) from the largest exponent m, powers of sums of
+// powers (power_sums.h) from the largest base m. As written, all terms would be 0 or cut off in
+// floats, and F flat there. Sums over elements, and what is made for each element, stay as they
+// are; so do logarithms over boxes, where m is an interval, too, and counts twice.
 //
-//     const InRange in_range(graph, root);
+//     const InRange in_range(graph, root, Purpose::numbers);
 //     const NodeId slope = differentiate_inputs(graph, in_range.root(), direction);
 //     const std::vector<NodeId> both = in_range.complete(std::array{in_range.root(), slope});
 class InRange {
 public:
-    InRange(Graph& graph, NodeId root);
+    InRange(Graph& graph, NodeId root, Purpose purpose);
 
-    // The expression, with an input of its own for each m. What it comes to does not depend on m,
-    // so derivatives take m for a constant.
+    // The expression, with an input of its own for each m. What it comes to at a point does not
+    // depend on m, so derivatives take m for a constant. Bounds have no derivatives: they know that
+    // m is the largest.
     NodeId root() const { return root_; }
 
     // Expressions made of root(), with m in the place of these inputs.
@@ -33,5 +35,8 @@ private:
     NodeId root_;
     std::vector<NodeId> largest_; // m, complete
 };
+
+// The expression for values over boxes.
+NodeId bounds_in_range(Graph& graph, NodeId root);
 
 } // namespace isomotion::formula

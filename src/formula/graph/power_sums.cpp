@@ -2,16 +2,20 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include "formula/graph/operations.h"
+#include "formula/graph/sign.h"
 
 namespace isomotion::formula {
 namespace {
 
-// Powers of less fade only near 0: x^15 below 0.003.
-constexpr double least_exponent = 16;
-constexpr double least_base = 1e-30;
+// Powers of less fade only near 0: x^15 below 0.003. More are no products (Graph::binary()).
+constexpr int least_exponent = 16, most_factors = 256;
+constexpr double highest_degree = 8;
+// Its square's inverse is a number.
+constexpr double least_base = 1e-18;
 
 // The base and the exponent of a product of equal factors, of which pairs may lack their abs();
 // `left` bounds the search.
@@ -19,11 +23,13 @@ std::pair<NodeId, int> equal_factors(const Graph& graph, NodeId id, int& left) {
     const Node& node = graph[id];
     if (node.op != Op::multiply || --left < 0) return {id, 1};
     const auto [first, m] = equal_factors(graph, node.children[0], left);
-    if (node.children[0] == node.children[1]) return {first, 2 * m};
-    const auto [second, n] = equal_factors(graph, node.children[1], left);
+    const auto [second, n] = node.children[0] == node.children[1]
+                                 ? std::pair{first, m}
+                                 : equal_factors(graph, node.children[1], left);
     const auto is_size = [&](NodeId a, NodeId b) {
         return graph[a].op == Op::abs && graph[a].children[0] == b;
     };
+    if (m + n > most_factors) return {id, 1};
     if (first == second || (m % 2 == 0 && is_size(second, first))) return {second, m + n};
     if (n % 2 == 0 && is_size(first, second)) return {first, m + n};
     return {id, 1};
@@ -45,27 +51,30 @@ struct Ratio {
 };
 
 Ratio ratio(const Graph& graph, NodeId id) {
-    const Node& node = graph[id];
-    const auto constant = [&](std::size_t k) { return graph.is_constant(node.children[k]); };
-    const auto value = [&](std::size_t k) { return graph[node.children[k]].value; };
-    if (node.op == Op::constant) return {node.value};
-    if (node.op == Op::multiply && constant(0)) {
-        Ratio rest = ratio(graph, node.children[1]);
-        rest.factor *= value(0);
-        return rest;
-    }
-    if (node.op == Op::divide) {
-        Ratio over = ratio(graph, node.children[0]);
-        if (constant(1)) {
-            over.factor /= value(1);
-            return over;
+    Ratio found;
+    for (int steps = 0; steps < 4; ++steps) {
+        const Node& node = graph[id];
+        const auto constant = [&](std::size_t k) { return graph.is_constant(node.children[k]); };
+        const auto value = [&](std::size_t k) { return graph[node.children[k]].value; };
+        if (node.op == Op::constant) {
+            found.factor *= node.value;
+            return found;
         }
-        if (!over.under) {
-            over.under = node.children[1];
-            return over;
+        if (node.op == Op::multiply && constant(0)) {
+            found.factor *= value(0);
+            id = node.children[1];
+        } else if (node.op == Op::divide && constant(1)) {
+            found.factor /= value(1);
+            id = node.children[0];
+        } else if (node.op == Op::divide && !found.under) {
+            found.under = node.children[1];
+            id = node.children[0];
+        } else {
+            break;
         }
     }
-    return {1, id};
+    found.over = id;
+    return found;
 }
 
 // p*q, if it does not change.
@@ -80,10 +89,10 @@ std::optional<double> constant_product(const Graph& graph, NodeId p, NodeId q) {
 
 PowerOfSum::PowerOfSum(Term sum, Term q)
     : q_(q) {
-    add_terms(sum, 1);
+    add_terms(sum, {sum.number(1), 1});
 }
 
-void PowerOfSum::add_terms(Term a, double factor) {
+void PowerOfSum::add_terms(Term a, const Factor& factor) {
     Graph& graph = *a.graph;
     const Node node = graph[a.node]; // a copy: the graph grows
     const Term first{&graph, node.children[0]}, second{&graph, node.children[1]};
@@ -91,14 +100,14 @@ void PowerOfSum::add_terms(Term a, double factor) {
     if (--left_ < 0) {
         is_sum_of_powers_ = false;
     } else if (node.op == Op::constant) {
-        constants_.push_back(factor * node.value);
+        constants_.push_back({factor.exact * a, factor.number * node.value});
     } else if (node.op == Op::add) {
         add_terms(first, factor);
         add_terms(second, factor);
     } else if (node.op == Op::multiply && graph.is_constant(first.node)) {
-        add_terms(second, factor * graph[first.node].value);
+        add_terms(second, {factor.exact * first, factor.number * graph[first.node].value});
     } else if (node.op == Op::divide && graph.is_constant(second.node)) {
-        add_terms(first, factor / graph[second.node].value);
+        add_terms(first, {factor.exact / second, factor.number / graph[second.node].value});
     } else if (node.op == Op::power) {
         add_power(factor, first, second);
     } else {
@@ -107,44 +116,78 @@ void PowerOfSum::add_terms(Term a, double factor) {
     }
 }
 
-void PowerOfSum::add_power(double factor, Term base, Term exponent) {
-    is_sum_of_powers_ = factor > 0 && (!p_ || p_->node == exponent.node);
+void PowerOfSum::add_power(const Factor& factor, Term base, Term exponent) {
+    const Node& p = (*base.graph)[exponent.node];
+    const bool is_odd = p.op == Op::constant && std::fmod(p.value, 2) == 1;
+    const bool is_counted =
+        factor.number > 0 && (!is_odd || is_never_negative(*base.graph, base.node));
+    is_sum_of_powers_ = is_counted && (!p_ || p_->node == exponent.node);
     p_ = exponent;
-    terms_.push_back({factor, base});
+    powers_.push_back({factor, base});
 }
 
 bool PowerOfSum::has_largest() const {
-    const auto is_above_0 = [](double number) { return number > 0; };
-    if (!is_sum_of_powers_ || terms_.empty() || !std::ranges::all_of(constants_, is_above_0))
+    const auto is_above_0 = [](const Factor& factor) { return factor.number > 0; };
+    if (!is_sum_of_powers_ || powers_.empty() || !std::ranges::all_of(constants_, is_above_0))
         return false;
     const Graph& graph = *q_.graph;
-    const std::optional<double> degree = constant_product(graph, p_->node, q_.node);
-    if (!degree) return false;
-    if (!graph.is_constant(p_->node)) return *degree > 0;
+    const bool is_constant = graph.is_constant(p_->node);
     const double p = graph[p_->node].value;
-    return p >= least_exponent && *degree > 0 && *degree <= 0.5 * p;
+    if (is_constant && !(p >= least_exponent)) return false;
+    const std::optional<double> degree = constant_product(graph, p_->node, q_.node);
+    if (!degree || !(*degree > 0 && *degree <= highest_degree)) return false;
+    return !is_constant || *degree <= 0.5 * p;
 }
 
-Term PowerOfSum::largest() const {
-    Term most = q_.number(constants_.empty() ? least_base : 1);
-    for (const Power& term : terms_) most = max(most, term.base.of(Op::abs));
-    return min(most, most.number(Operations<float>::saturation()));
+std::vector<PowerOfSum::Power> PowerOfSum::terms(Purpose purpose) const {
+    std::vector<Power> all = powers_;
+    const Node& p = (*q_.graph)[p_->node];
+    // A small constant is not small beside a base of 1.
+    const bool has_root = purpose == Purpose::numbers && p.op == Op::constant;
+    for (const Factor& constant : constants_) {
+        if (has_root)
+            all.push_back({{q_.number(1), 1}, q_.number(std::pow(constant.number, 1 / p.value))});
+        else
+            all.push_back({constant, q_.number(1)});
+    }
+    return all;
 }
 
-Term PowerOfSum::value(Term m) const {
+Term PowerOfSum::largest(Purpose purpose) const {
     Graph& graph = *q_.graph;
-    const Node exponent = graph[p_->node]; // a copy: the graph grows
-    const double p = exponent.value;
-    const bool is_whole = exponent.op == Op::constant && p == std::floor(p);
-    const auto power = [&](Term base) {
-        return is_whole ? Term{&graph, graph.integer_power(base.node, int(p))}
-                        : base.with(Op::power, *p_);
-    };
-    Term rest = m.number(0);
-    for (const Power& term : terms_) rest = rest + term.factor * power(term.base / m);
-    for (const double constant : constants_) rest = rest + constant * power(1 / m);
+    std::optional<Term> most, least;
+    for (const Power& term : terms(purpose)) {
+        const Term size = term.base.of(Op::abs);
+        most = most ? max(*most, size) : size;
+        least = least ? min(*least, size) : size;
+    }
+    const bool is_constant = graph.is_constant(p_->node);
+    const Term first =
+        is_constant
+            ? *most
+            : Term{&graph, graph.select(p_->node, graph.constant(0), least->node, most->node)};
+    if (purpose == Purpose::bounds) return first;
     const double degree = *constant_product(graph, p_->node, q_.node);
-    return m.with(Op::power, m.number(degree)) * rest.with(Op::power, q_);
+    const double end = std::pow(double(Operations<float>::saturation()), 1 / std::max(1.0, degree));
+    return max(q_.number(least_base), min(q_.number(end), first));
+}
+
+Term PowerOfSum::value(Term m, Purpose purpose) const {
+    const bool is_bound = purpose == Purpose::bounds;
+    std::optional<Term> rest;
+    double least = std::numeric_limits<double>::infinity();
+    for (const Power& term : terms(purpose)) {
+        const Term part = is_bound ? max(m.number(0), term.base.of(Op::abs) / m) : term.base / m;
+        const Term power = part.with(Op::power, *p_);
+        const Term added = term.factor.exact * (is_bound ? min(m.number(1), power) : power);
+        rest = rest ? *rest + added : added;
+        least = std::min(least, 0.999999 * term.factor.number);
+    }
+    if (is_bound) rest = max(m.number(least), *rest);
+    const double degree = *constant_product(*q_.graph, p_->node, q_.node);
+    // Over boxes p*q is rounded outwards.
+    const Term of_m = purpose == Purpose::numbers ? m.number(degree) : *p_ * q_;
+    return m.with(Op::power, of_m) * rest->with(Op::power, q_);
 }
 
 } // namespace isomotion::formula

@@ -4,42 +4,53 @@
 #include <optional>
 #include <vector>
 
+#include "formula/graph/purpose.h"
 #include "formula/graph/term.h"
 
 namespace isomotion::formula {
 
 // sum^q: of c*u^p + d*v^p, where c and d are constants above 0, it is m^(p*q) * (c*(u/m)^p +
 // d*(v/m)^p)^q, where m is the larger of |u| and |v|. The powers alone are 0 in float32 from |u| =
-// 10^(-38/p) on, and cut off beyond 10^(30/p): at 0.23 and 3.2 for p = 60.
+// 10^(-38/p) on, and cut off beyond 10^(30/p): at 0.23 and 3.2 for p = 60. For an exponent below 0,
+// m is the smaller one. Bounds know that no power of a part is above 1, and that the sum is at
+// least the smaller of c and d.
 class PowerOfSum {
 public:
     PowerOfSum(Term sum, Term q);
 
-    // Whether all terms are steep powers with one exponent, and q takes most of that back:
-    // constants, or an exponent that changes and its inverse.
+    // Whether all terms are powers with one exponent, which is steep or changes, and none is below
+    // 0; and whether q takes most of that exponent back.
     bool has_largest() const;
 
-    // The largest base, so far from 0 that it divides.
-    Term largest() const;
+    // The largest base. For all but bounds, so far from 0 and from infinity that it divides and its
+    // power is a number.
+    Term largest(Purpose purpose) const;
 
     // The power, where `m` stands for the largest base.
-    Term value(Term m) const;
+    Term value(Term m, Purpose purpose) const;
 
 private:
+    // A number and the constants that it is the product of, which may be rounded.
+    struct Factor {
+        Term exact;
+        double number;
+    };
     // factor * base^p
     struct Power {
-        double factor;
+        Factor factor;
         Term base;
     };
 
     // Adds `factor` times the terms of a.
-    void add_terms(Term a, double factor);
-    void add_power(double factor, Term base, Term exponent);
+    void add_terms(Term a, const Factor& factor);
+    void add_power(const Factor& factor, Term base, Term exponent);
+    // All terms, constants among them.
+    std::vector<Power> terms(Purpose purpose) const;
 
     Term q_;
     std::optional<Term> p_;
-    std::vector<Power> terms_;
-    std::vector<double> constants_;
+    std::vector<Power> powers_;
+    std::vector<Factor> constants_;
     bool is_sum_of_powers_ = true;
     int left_ = 256; // as in LogOfSum
 };

@@ -68,7 +68,9 @@ NodeVector towards_places(Graph& g, NodeId root, double least_distance) {
 NodeId moved(Graph& g, NodeId root, const NodeVector& by) {
     const Graph from = g;
     const auto shift = [&](Graph& to, const Node& node, NodeId rebuilt) {
-        return node.op == Op::input ? to.add(rebuilt, by[std::size_t(node.index)]) : rebuilt;
+        // Other inputs stand for the largest terms of sums, in_range.h: any will do there.
+        const bool is_place = node.op == Op::input && std::size_t(node.index) < by.size();
+        return is_place ? to.add(rebuilt, by[std::size_t(node.index)]) : rebuilt;
     };
     return substitute(g, from, std::array{root}, shift).front();
 }

@@ -10,7 +10,7 @@
 namespace isomotion::formula {
 
 inline NodeId kept_in_range(Graph& graph, const std::string& text) {
-    const InRange in_range(graph, parse(graph, text));
+    const InRange in_range(graph, parse(graph, text), Purpose::numbers);
     return in_range.complete(std::array{in_range.root()}).front();
 }
 

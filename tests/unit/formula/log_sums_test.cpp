@@ -93,7 +93,7 @@ TEST(LogSums, TakeSharedNodesInShortTime) {
     }
     const NodeId root = graph.unary(Op::log, graph.add(sum, product));
     const std::size_t before = graph.size();
-    const InRange in_range(graph, root);
+    const InRange in_range(graph, root, Purpose::numbers);
     in_range.complete(std::array{in_range.root()});
     EXPECT_LT(graph.size() - before, 3000u);
 }
