@@ -13,7 +13,8 @@ namespace isomotion::formula {
 // logarithms of sums of exponentials (log_sums.h) from the largest exponent m, powers of sums of
 // powers (power_sums.h) from the largest base m. As written, all terms would be 0 or cut off in
 // floats, and F flat there. Sums over elements, and what is made for each element, stay as they
-// are; so do logarithms over boxes, where m is an interval, too, and counts twice.
+// are; so do logarithms over boxes, where m is an interval, too, and counts twice, and whatever
+// stands beside sums there.
 //
 //     const InRange in_range(graph, root, Purpose::numbers);
 //     const NodeId slope = differentiate_inputs(graph, in_range.root(), direction);

@@ -13,7 +13,7 @@ namespace {
 
 // Powers of less fade only near 0: x^15 below 0.003. More are no products (Graph::binary()).
 constexpr int least_exponent = 16, most_factors = 256;
-constexpr double highest_degree = 8;
+constexpr double highest_degree = 8, least_factor = 1e-30;
 // Its square's inverse is a number.
 constexpr double least_base = 1e-18;
 
@@ -33,15 +33,6 @@ std::pair<NodeId, int> equal_factors(const Graph& graph, NodeId id, int& left) {
     if (first == second || (m % 2 == 0 && is_size(second, first))) return {second, m + n};
     if (n % 2 == 0 && is_size(first, second)) return {first, m + n};
     return {id, 1};
-}
-
-// The base as it was before Graph::integer_power() kept the n-th power in range.
-NodeId unlimited(const Graph& graph, NodeId base, int n) {
-    const Node& high = graph[base];
-    const std::optional<double> reach = Graph::reach(n);
-    if (!reach || high.op != Op::max || !graph.is_constant(high.children[0], -*reach)) return base;
-    const Node& low = graph[high.children[1]];
-    return low.op == Op::min && graph.is_constant(low.children[0], *reach) ? low.children[1] : base;
 }
 
 // factor * over / under
@@ -112,15 +103,16 @@ void PowerOfSum::add_terms(Term a, const Factor& factor) {
         add_power(factor, first, second);
     } else {
         const auto [base, n] = equal_factors(graph, a.node, left_);
-        add_power(factor, {&graph, unlimited(graph, base, n)}, a.number(n));
+        add_power(factor, {&graph, base}, a.number(n));
     }
 }
 
 void PowerOfSum::add_power(const Factor& factor, Term base, Term exponent) {
     const Node& p = (*base.graph)[exponent.node];
-    const bool is_odd = p.op == Op::constant && std::fmod(p.value, 2) == 1;
+    // One that changes may be odd at times.
+    const bool is_never_odd = p.op == Op::constant && std::fmod(p.value, 2) != 1;
     const bool is_counted =
-        factor.number > 0 && (!is_odd || is_never_negative(*base.graph, base.node));
+        factor.number > least_factor && (is_never_odd || is_never_negative(*base.graph, base.node));
     is_sum_of_powers_ = is_counted && (!p_ || p_->node == exponent.node);
     p_ = exponent;
     powers_.push_back({factor, base});
@@ -167,9 +159,11 @@ Term PowerOfSum::largest(Purpose purpose) const {
             ? *most
             : Term{&graph, graph.select(p_->node, graph.constant(0), least->node, most->node)};
     if (purpose == Purpose::bounds) return first;
+    const Term above_0 = max(q_.number(least_base), first);
+    if (purpose == Purpose::slopes) return above_0;
     const double degree = *constant_product(graph, p_->node, q_.node);
     const double end = std::pow(double(Operations<float>::saturation()), 1 / std::max(1.0, degree));
-    return max(q_.number(least_base), min(q_.number(end), first));
+    return min(q_.number(end), above_0);
 }
 
 Term PowerOfSum::value(Term m, Purpose purpose) const {
@@ -181,7 +175,8 @@ Term PowerOfSum::value(Term m, Purpose purpose) const {
         const Term power = part.with(Op::power, *p_);
         const Term added = term.factor.exact * (is_bound ? min(m.number(1), power) : power);
         rest = rest ? *rest + added : added;
-        least = std::min(least, 0.999999 * term.factor.number);
+        const double number = term.factor.number;
+        least = std::min(least, number > least_factor ? 0.999999 * number : 0);
     }
     if (is_bound) rest = max(m.number(least), *rest);
     const double degree = *constant_product(*q_.graph, p_->node, q_.node);

@@ -10,10 +10,9 @@
 namespace isomotion::formula {
 
 // sum^q: of c*u^p + d*v^p, where c and d are constants above 0, it is m^(p*q) * (c*(u/m)^p +
-// d*(v/m)^p)^q, where m is the larger of |u| and |v|. The powers alone are 0 in float32 from |u| =
-// 10^(-38/p) on, and cut off beyond 10^(30/p): at 0.23 and 3.2 for p = 60. For an exponent below 0,
-// m is the smaller one. Bounds know that no power of a part is above 1, and that the sum is at
-// least the smaller of c and d.
+// d*(v/m)^p)^q, where m is the larger of |u| and |v|. The powers alone are 0 in float32 where |u|
+// is below 10^(-38/p), 0.23 for p = 60. For an exponent below 0, m is the smaller one. Bounds know
+// that no power of a part is above 1, and that the sum is at least the smaller of c and d.
 class PowerOfSum {
 public:
     PowerOfSum(Term sum, Term q);
@@ -22,8 +21,8 @@ public:
     // 0; and whether q takes most of that exponent back.
     bool has_largest() const;
 
-    // The largest base. For all but bounds, so far from 0 and from infinity that it divides and its
-    // power is a number.
+    // The largest base. For all but bounds, so far from 0 that it divides; for numbers, so far from
+    // infinity that its power is one.
     Term largest(Purpose purpose) const;
 
     // The power, where `m` stands for the largest base.
