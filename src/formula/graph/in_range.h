@@ -12,9 +12,11 @@ namespace isomotion::formula {
 // An expression equal to another on paper, in which sums are taken from their largest term:
 // logarithms of sums of exponentials (log_sums.h) from the largest exponent m, powers of sums of
 // powers (power_sums.h) from the largest base m. As written, all terms would be 0 or cut off in
-// floats, and F flat there. Sums over elements, and what is made for each element, stay as they
-// are; so do logarithms over boxes, where m is an interval, too, and counts twice, and whatever
-// stands beside sums there.
+// floats, and F flat there.
+//
+// Sums over elements stay as they are, and so does what is made for each element. Over boxes m is
+// an interval that counts twice, so logarithms stay as written there, and so do formulas with sums
+// over elements.
 //
 //     const InRange in_range(graph, root, Purpose::numbers);
 //     const NodeId slope = differentiate_inputs(graph, in_range.root(), direction);

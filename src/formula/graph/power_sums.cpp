@@ -11,7 +11,8 @@
 namespace isomotion::formula {
 namespace {
 
-// Powers of less fade only near 0: x^15 below 0.003. More are no products (Graph::binary()).
+// Powers below the least exponent come to 0 only near 0: x^15 below 0.003. A power of more factors
+// than the most is an Op::power, as Graph::binary() makes it.
 constexpr int least_exponent = 16, most_factors = 256;
 constexpr double highest_degree = 8, least_factor = 1e-30;
 // Its square's inverse is a number.
@@ -109,7 +110,7 @@ void PowerOfSum::add_terms(Term a, const Factor& factor) {
 
 void PowerOfSum::add_power(const Factor& factor, Term base, Term exponent) {
     const Node& p = (*base.graph)[exponent.node];
-    // One that changes may be odd at times.
+    // An exponent that changes may become odd.
     const bool is_never_odd = p.op == Op::constant && std::fmod(p.value, 2) != 1;
     const bool is_counted =
         factor.number > least_factor && (is_never_odd || is_never_negative(*base.graph, base.node));

@@ -21,8 +21,8 @@ public:
     // 0; and whether q takes most of that exponent back.
     bool has_largest() const;
 
-    // The largest base. For all but bounds, so far from 0 that it divides; for numbers, so far from
-    // infinity that its power is one.
+    // The largest base. Bounds take it as it is. Other purposes divide by it, so it is at least
+    // 1e-18 there; numbers multiply it, too, so its power stays below the cut-off of floats.
     Term largest(Purpose purpose) const;
 
     // The power, where `m` stands for the largest base.

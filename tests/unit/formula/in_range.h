@@ -37,4 +37,12 @@ inline void expect_equal_on_paper(const std::string& text) {
     }
 }
 
+// Paths through shared nodes are many more than nodes.
+inline void expect_few_new_nodes(Graph& graph, NodeId root) {
+    const std::size_t before = graph.size();
+    const InRange in_range(graph, root, Purpose::numbers);
+    in_range.complete(std::array{in_range.root()});
+    EXPECT_LT(graph.size() - before, 3000u);
+}
+
 } // namespace isomotion::formula
