@@ -45,6 +45,15 @@ protected:
         }
     }
 
+    // As if it had taken so many seconds: the machine's own are nobody's to promise.
+    Shown come_after(double seconds) {
+        Shown shown = come();
+        while (shown.samples < shown.asked) shown = come();
+        shown.compiled = false;
+        shown.took = std::chrono::duration<double>(seconds);
+        return shown;
+    }
+
     Session session{scene::load("torus", {"look=none"})};
     std::unique_ptr<gpu::Context> context_;
     std::optional<DrawThread> thread;
@@ -90,7 +99,7 @@ TEST_F(FrameSchedulers, WhatPlaysWaitsForThePictureOnItsWay) {
     turn();
     ask(0.01, true);
     EXPECT_EQ(scheduler->number(), 1u);
-    scheduler->learn(come(), 0, 0.02);
+    scheduler->learn(come_after(0.001), 0, 0.02);
     ask(0.02, true);
     EXPECT_EQ(scheduler->number(), 2u);
 }
@@ -99,15 +108,14 @@ TEST_F(FrameSchedulers, AHandThatRestsHasTheLastChangeAskedForAndThenTheWholePic
     ask(0, false);
     turn();
     ask(0.01, false);
-    scheduler->learn(come(), 0, 0.02);
+    scheduler->learn(come_after(0.001), 0, 0.02);
     ask(0.02, true);
     ASSERT_EQ(scheduler->number(), 2u);
-    scheduler->learn(come(), 0, 0.5);
+    scheduler->learn(come_after(0.001), 0, 0.5);
     ASSERT_TRUE(scheduler->next_change());
     ask(*scheduler->next_change(), true);
     EXPECT_EQ(scheduler->number(), 3u);
-    Shown whole = come();
-    while (whole.samples < whole.asked) whole = come();
+    const Shown whole = come_after(0.001);
     scheduler->learn(whole, 0, 1);
     EXPECT_EQ(whole.scale, 1);
     EXPECT_TRUE(scheduler->at_rest());
@@ -120,10 +128,8 @@ TEST_F(FrameSchedulers, WhatTakesLongGrowsAtRest) {
     std::vector<double> scales;
     for (int k = 0; k < 12 && !scheduler->at_rest(); ++k) {
         ask(now, true);
-        Shown shown = come();
-        while (shown.samples < shown.asked) shown = come();
+        Shown shown = come_after(0);
         scales.push_back(shown.scale);
-        shown.compiled = false;
         shown.took = std::chrono::duration<double>(2 * shown.scale * shown.scale);
         scheduler->learn(shown, 0, now);
         if (k == 0) turn(); // the first picture told what one costs
@@ -142,10 +148,8 @@ TEST_F(FrameSchedulers, EachSceneBeginsWithASmallPicture) {
     for (int scene = 0; scene < 2; ++scene) {
         const double now = 10 * scene;
         ask(now, true);
-        Shown first = come();
+        const Shown first = come_after(0.001);
         EXPECT_LE(first.scale * first.scale, 0.125 + 1e-12);
-        first.compiled = false;
-        first.took = std::chrono::duration<double>(0.001);
         scheduler->learn(first, 0, now);
         ask(now + 1, true);
         EXPECT_EQ(come().scale, 1);
@@ -155,7 +159,7 @@ TEST_F(FrameSchedulers, EachSceneBeginsWithASmallPicture) {
 
 TEST_F(FrameSchedulers, AWholePictureOnItsWayIsNotWaitedForByAHand) {
     ask(0, true);
-    scheduler->learn(come(), 0, 0.5);
+    scheduler->learn(come_after(0.001), 0, 0.5);
     ask(1, true);
     ASSERT_EQ(scheduler->number(), 2u) << "whole";
     turn();
