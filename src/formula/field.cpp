@@ -7,6 +7,7 @@
 #include "formula/graph/in_range.h"
 #include "formula/graph/lowering.h"
 #include "formula/graph/parser.h"
+#include "formula/graph/power_sums.h"
 #include "formula/graph/same_signs.h"
 #include "formula/graph/walls.h"
 
@@ -59,7 +60,8 @@ Field make_field(std::string_view text, Vocabulary vocabulary) {
     vocabulary.inputs = coordinate_names;
     vocabulary.allows_picks = false;
     vocabulary.allows_equation = true;
-    field.root = same_signs(field.graph, parse(text, vocabulary, field.graph));
+    const NodeId root = same_signs(field.graph, parse(text, vocabulary, field.graph));
+    field.root = norms_without_cut_offs(field.graph, root);
     derive_programs(field);
     field.packing = packing_of(vocabulary.arrays.size(),
                                std::array{&field.value, &field.directional, &field.gradient});

@@ -84,6 +84,8 @@ INSTANTIATE_TEST_SUITE_P(
         // Taylor's test.
         extreme("ring of square section",
                 "(abs(sqrt(x^2 + y^2) - 0.85)^60 + abs(z)^60)^(1/60) - 0.2", 1.3, 4, 0.02, 0, 3500),
+        // 5^60 is no number in float32, and the powers of other formulas are cut off.
+        extreme("cube of a high power", "(x^60 + y^60 + z^60)^(1/60) - 5", 9, 30, 0.1, 0, 0),
         extreme("box with a round top", "(abs(x)^40 + abs(y)^40)^0.05 + z^2 - 0.5", 1.2, 4, 0.02, 0,
                 0),
         // Its slopes are of every size, where Taylor's test extends them to 0.

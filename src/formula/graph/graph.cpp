@@ -97,14 +97,6 @@ bool is_exact(Op op, double a, double b, double result) {
     }
 }
 
-// a^n for n >= 1, by repeated squaring.
-NodeId product(Graph& g, NodeId a, int n) {
-    if (n == 1) return a;
-    const NodeId half = product(g, a, n / 2);
-    const NodeId square = g.multiply(half, half);
-    return n % 2 == 0 ? square : g.multiply(square, a);
-}
-
 Node leaf(Op op, int index = 0, int second = 0) {
     Node node;
     node.op = op;
@@ -461,7 +453,14 @@ NodeId Graph::integer_power(NodeId a, int n) {
         const NodeId high = constant(*end), low = unary(Op::negate, high);
         a = binary(Op::max, low, binary(Op::min, high, a));
     }
-    return product(*this, a, n);
+    return repeated_product(a, n);
+}
+
+NodeId Graph::repeated_product(NodeId a, int n) {
+    if (n == 1) return a;
+    const NodeId half = repeated_product(a, n / 2);
+    const NodeId square = multiply(half, half);
+    return n % 2 == 0 ? square : multiply(square, a);
 }
 
 // High powers overflow float inside ordinary bounds (6^200); clamping the base keeps sums of them

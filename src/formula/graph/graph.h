@@ -100,10 +100,12 @@ public:
     NodeId least(int array, NodeId key) { return over_elements(Op::least, array, key); }
     NodeId pick(int array, NodeId key, NodeId value);
     NodeId which(int array, NodeId key) { return over_elements(Op::which, array, key); }
-    // a^n by repeated squaring; x^2, x^4 and x^6 of one formula share their products.
+    // a^n by products; x^2, x^4 and x^6 of one formula share theirs.
     NodeId integer_power(NodeId a, int n);
     // The largest base of the n-th power, if that is cut off: max(-reach, min(reach, a))^n.
     static std::optional<double> reach(int n);
+    // a^n for n > 0, by repeated squaring, nowhere cut off.
+    NodeId repeated_product(NodeId a, int n);
 
     NodeId add(NodeId a, NodeId b) { return binary(Op::add, a, b); }
     NodeId subtract(NodeId a, NodeId b) { return binary(Op::subtract, a, b); }

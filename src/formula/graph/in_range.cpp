@@ -17,11 +17,6 @@ constexpr int first_largest = 1 << 16; // of the inputs that stand for m
 InRange::InRange(Graph& graph, NodeId root, Purpose purpose)
     : graph_(graph)
     , root_(root) {
-    // Bounds of what lists leave out of a sum know it by its node.
-    const auto is_sum = [&](NodeId id) { return is_over_elements(graph[id].op); };
-    if (purpose != Purpose::numbers &&
-        std::ranges::any_of(nodes_below(graph, std::array{root}), is_sum))
-        return;
     const auto taken_from = [&](Graph& to, Term largest, const auto& value) {
         const Term m{&to, to.input(first_largest + int(largest_.size()))};
         // Those of sums within this one are known.
@@ -45,7 +40,10 @@ InRange::InRange(Graph& graph, NodeId root, Purpose purpose)
         }
         return rebuilt;
     };
-    const NodeId replaced = substitute(graph, graph, std::array{root}, replacement).front();
+    // Bounds of what lists leave out of a sum know it by its node.
+    const NodeId replaced = purpose == Purpose::numbers
+                                ? substitute(graph, graph, std::array{root}, replacement).front()
+                                : substitute_outside_sums(graph, root, replacement);
     if (!largest_.empty()) root_ = replaced;
 }
 

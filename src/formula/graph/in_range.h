@@ -15,8 +15,8 @@ namespace isomotion::formula {
 // floats, and F flat there.
 //
 // Sums over elements stay as they are, and so does what is made for each element. Over boxes m is
-// an interval that counts twice, so logarithms stay as written there, and so do formulas with sums
-// over elements.
+// an interval that counts twice, so logarithms stay as written there, and so does all that is in a
+// sum over elements.
 //
 //     const InRange in_range(graph, root, Purpose::numbers);
 //     const NodeId slope = differentiate_inputs(graph, in_range.root(), direction);

@@ -7,6 +7,7 @@
 
 #include "formula/graph/operations.h"
 #include "formula/graph/sign.h"
+#include "formula/graph/substitute.h"
 
 namespace isomotion::formula {
 namespace {
@@ -75,6 +76,18 @@ std::optional<double> constant_product(const Graph& graph, NodeId p, NodeId q) {
     if (a.over != b.under || a.under != b.over) return std::nullopt;
     const double product = a.factor * b.factor, whole = std::round(product);
     return std::abs(product - whole) < 1e-12 * std::abs(product) ? whole : product; // 49 * (1/49.0)
+}
+
+// The base of a whole power that is cut off, without that.
+std::optional<NodeId> without_cut_off(const Graph& graph, NodeId base, double p) {
+    const bool is_product = p == std::floor(p) && p <= most_factors;
+    const std::optional<double> end = is_product ? Graph::reach(int(p)) : std::nullopt;
+    const Node& high = graph[base];
+    if (!end || high.op != Op::max || !graph.is_constant(high.children[0], -*end))
+        return std::nullopt;
+    const Node& low = graph[high.children[1]];
+    if (low.op != Op::min || !graph.is_constant(low.children[0], *end)) return std::nullopt;
+    return low.children[1];
 }
 
 } // namespace
@@ -184,6 +197,32 @@ Term PowerOfSum::value(Term m, Purpose purpose) const {
     // Over boxes p*q is rounded outwards.
     const Term of_m = purpose == Purpose::numbers ? m.number(degree) : *p_ * q_;
     return m.with(Op::power, of_m) * rest->with(Op::power, q_);
+}
+
+std::optional<Term> PowerOfSum::without_cut_offs() const {
+    Graph& graph = *q_.graph;
+    const double p = graph[p_->node].value;
+    const auto has_end = [&](const Power& term) {
+        return without_cut_off(graph, term.base.node, p).has_value();
+    };
+    if (!graph.is_constant(p_->node) || std::ranges::none_of(powers_, has_end)) return std::nullopt;
+    Term sum = q_.number(0);
+    for (const Power& term : powers_) {
+        const NodeId base = without_cut_off(graph, term.base.node, p).value_or(term.base.node);
+        sum = sum + term.factor.exact * Term{&graph, graph.repeated_product(base, int(p))};
+    }
+    for (const Factor& constant : constants_) sum = sum + constant.exact;
+    return sum.with(Op::power, q_);
+}
+
+NodeId norms_without_cut_offs(Graph& graph, NodeId root) {
+    return substitute_outside_sums(graph, root, [](Graph& to, const Node& node, NodeId rebuilt) {
+        const Node now = to[rebuilt]; // a copy: the graph grows
+        if (now.op != node.op || now.op != Op::power) return rebuilt;
+        const PowerOfSum sum({&to, now.children[0]}, {&to, now.children[1]});
+        const auto whole = sum.has_largest() ? sum.without_cut_offs() : std::nullopt;
+        return whole ? whole->node : rebuilt;
+    });
 }
 
 } // namespace isomotion::formula

@@ -28,6 +28,9 @@ public:
     // The power, where `m` stands for the largest base.
     Term value(Term m, Purpose purpose) const;
 
+    // The power as it is written, if its parts are cut off (Graph::reach()), without that.
+    std::optional<Term> without_cut_offs() const;
+
 private:
     // A number and the constants that it is the product of, which may be rounded.
     struct Factor {
@@ -53,5 +56,9 @@ private:
     bool is_sum_of_powers_ = true;
     int left_ = 256; // as in LogOfSum
 };
+
+// An expression whose norms are not cut off: what is drawn and proved divides by the largest base,
+// so no part overflows. Norms in sums over elements stay as they are.
+NodeId norms_without_cut_offs(Graph& graph, NodeId root);
 
 } // namespace isomotion::formula

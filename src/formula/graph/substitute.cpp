@@ -1,5 +1,6 @@
 #include "formula/graph/substitute.h"
 
+#include <array>
 #include <unordered_map>
 
 namespace isomotion::formula {
@@ -34,9 +35,9 @@ NodeId rebuild(Graph& to, const Node& node, const std::array<NodeId, 4>& childre
     }
 }
 
-} // namespace
+enum class Sums { entered, kept };
 
-std::vector<NodeId> nodes_below(const Graph& graph, std::span<const NodeId> roots) {
+std::vector<NodeId> nodes_below(const Graph& graph, std::span<const NodeId> roots, Sums sums) {
     NodeId last = 0;
     for (const NodeId root : roots) last = std::max(last, root);
     std::vector<bool> live(std::size_t(last) + 1, false);
@@ -44,6 +45,7 @@ std::vector<NodeId> nodes_below(const Graph& graph, std::span<const NodeId> root
     for (NodeId id = last + 1; id-- > 0;) {
         if (!live[id]) continue;
         const Node& node = graph[id];
+        if (sums == Sums::kept && is_over_elements(node.op)) continue;
         for (int k = 0; k < node.arity; ++k) live[node.children[std::size_t(k)]] = true;
     }
     std::vector<NodeId> below;
@@ -54,10 +56,14 @@ std::vector<NodeId> nodes_below(const Graph& graph, std::span<const NodeId> root
 }
 
 std::vector<NodeId> substitute(Graph& to, const Graph& from, std::span<const NodeId> roots,
-                               const Replacement& replacement, int first_array) {
+                               const Replacement& replacement, int first_array, Sums sums) {
     std::unordered_map<NodeId, NodeId> stands_for;
-    for (const NodeId id : nodes_below(from, roots)) {
+    for (const NodeId id : nodes_below(from, roots, sums)) {
         const Node node = from[id]; // a copy: the graph may grow
+        if (sums == Sums::kept && is_over_elements(node.op)) {
+            stands_for[id] = id;
+            continue;
+        }
         std::array<NodeId, 4> children{};
         for (std::size_t k = 0; k < node.arity; ++k) {
             children[k] = stands_for.at(node.children[k]);
@@ -67,6 +73,21 @@ std::vector<NodeId> substitute(Graph& to, const Graph& from, std::span<const Nod
     std::vector<NodeId> result;
     for (const NodeId root : roots) result.push_back(stands_for.at(root));
     return result;
+}
+
+} // namespace
+
+std::vector<NodeId> nodes_below(const Graph& graph, std::span<const NodeId> roots) {
+    return nodes_below(graph, roots, Sums::entered);
+}
+
+std::vector<NodeId> substitute(Graph& to, const Graph& from, std::span<const NodeId> roots,
+                               const Replacement& replacement, int first_array) {
+    return substitute(to, from, roots, replacement, first_array, Sums::entered);
+}
+
+NodeId substitute_outside_sums(Graph& graph, NodeId root, const Replacement& replacement) {
+    return substitute(graph, graph, std::array{root}, replacement, 0, Sums::kept).front();
 }
 
 } // namespace isomotion::formula

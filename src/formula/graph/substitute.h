@@ -18,6 +18,9 @@ using Replacement = std::function<NodeId(Graph& to, const Node& node, NodeId reb
 std::vector<NodeId> substitute(Graph& to, const Graph& from, std::span<const NodeId> roots,
                                const Replacement& replacement, int first_array = 0);
 
+// An expression remade in its own graph. Sums over elements stay, with all that is below them.
+NodeId substitute_outside_sums(Graph& graph, NodeId root, const Replacement& replacement);
+
 // All nodes below the roots, including the roots, in ascending order: children before parents.
 std::vector<NodeId> nodes_below(const Graph& graph, std::span<const NodeId> roots);
 

@@ -1,5 +1,7 @@
 #include "formula/graph/power_sums.h"
 
+#include <algorithm>
+
 #include "formula/enclosure.h"
 #include "formula/field.h"
 #include "formula/graph/operations.h"
@@ -49,7 +51,7 @@ TEST(PowerSums, AreEqualOnPaper) {
         expect_equal_on_paper(text);
 }
 
-// 0.1^60 is 0 in float32. Whole powers are cut off at Graph::reach(), 1.41 for 200.
+// 0.1^60 is 0 in float32, and 5^60 is no number.
 TEST(PowerSums, HoldInFloats) {
     for (const char* text :
          {"(x^60 + y^60)^(1/60)", "(abs(x)^200 + abs(y)^200)^(1/200)",
@@ -63,7 +65,7 @@ TEST(PowerSums, HoldInFloats) {
         bindings.parameters = {150};
         FieldEvaluator<float> evaluator(norm);
         for (const float x : {-1.4f, -0.1f, 1e-6f, 0.02f, 1.0f}) {
-            for (const float y : {-1.2f, -0.11f, 3e-2f, 0.9f}) {
+            for (const float y : {-1.2f, -0.11f, 3e-2f, 0.9f, 5.0f, -3e4f}) {
                 SCOPED_TRACE(fmt::format("({}, {})", x, y));
                 const float larger = std::max(std::abs(x), std::abs(y));
                 EXPECT_NEAR(evaluator.value(bindings, {x, y, 0}), larger, 0.012f * larger);
@@ -132,7 +134,7 @@ TEST(PowerSums, AreBoundedOverBoxes) {
         };
         for (int k = 0; k < 300; ++k) {
             const double size = std::pow(10, random.in(-9, 0));
-            const Point p = random.point(1.5), d = random.point(1);
+            const Point p = random.point(k % 2 == 0 ? 1.5 : 40), d = random.point(1);
             const auto side = [&](std::size_t axis) {
                 return Interval(p[axis]) + Interval(0, size) * Interval(d[axis]);
             };
@@ -156,11 +158,36 @@ TEST(PowerSums, AreBoundedOverBoxes) {
 }
 
 // Bounds of what lists leave out of a sum know it by its node.
-TEST(PowerSums, StayBesideSumsForBounds) {
+TEST(PowerSums, StayInSumsForBounds) {
     Graph graph;
-    const NodeId root = parse(graph, "sum(blobs, exp(-((x^60 + y^60)^(1/60) - cx)^2)) - 1");
-    EXPECT_EQ(bounds_in_range(graph, root), root);
-    EXPECT_EQ(InRange(graph, root, Purpose::slopes).root(), root);
+    const NodeId sum = parse(graph, "sum(blobs, exp(-((x^60 + y^60)^(1/60) - cx)^2)) - 1");
+    EXPECT_EQ(bounds_in_range(graph, sum), sum);
+    EXPECT_EQ(InRange(graph, sum, Purpose::slopes).root(), sum);
+    EXPECT_EQ(norms_without_cut_offs(graph, sum), sum);
+
+    const NodeId norm = parse(graph, "(x^20 + y^20)^(1/20)");
+    const NodeId beside = bounds_in_range(graph, graph.binary(Op::min, sum, norm));
+    EXPECT_EQ(beside, graph.binary(Op::min, sum, bounds_in_range(graph, norm)));
+    EXPECT_NE(bounds_in_range(graph, norm), norm);
+}
+
+// Alone, whole powers above 24 are (Graph::reach()).
+TEST(PowerSums, AreNotCutOff) {
+    const auto has_cut_off = [](const char* text) {
+        Graph graph;
+        const NodeId root = norms_without_cut_offs(graph, parse(graph, text));
+        return std::ranges::any_of(nodes_below(graph, std::array{root}), [&](NodeId id) {
+            return graph[id].op == Op::min || graph[id].op == Op::max;
+        });
+    };
+    for (const char* text :
+         {"(x^60 + y^60 + z^60)^(1/60) - 5", "(3*x^30 + abs(y)^30/7 + 1)^(1/30)*z",
+          "(abs(x)^61 + abs(y)^61)^(1/61)", "((x^40 + y^40)^(1/40) - 3)^2 + z^2 - 1",
+          "((x^30 + y^30)^(1/30)*(x + 1))^24 - (z^200 + y^200)^(1/100)"})
+        EXPECT_FALSE(has_cut_off(text)) << text;
+    for (const char* text : {"x^60 + y^60 + z^60 - 1", "(x^60 - y^60)^(1/60)", "(x^60 + y^60)^0.6",
+                             "x^60 + (x^60 + y^60)^(1/60)", "sum(blobs, (x^60 + cx^60)^(1/60))"})
+        EXPECT_TRUE(has_cut_off(text)) << text;
 }
 
 TEST(PowerSums, TakeSharedNodesInShortTime) {

@@ -49,6 +49,20 @@ TEST(Substitute, NothingGivesTheSameNode) {
     }
 }
 
+TEST(Substitute, LeavesSumsWithAllThatIsBelowThem) {
+    Graph g;
+    const Replacement y_for_x = [](Graph& to, const Node& node, NodeId rebuilt) {
+        return node.op == Op::input && node.index == 0 ? to.input(1) : rebuilt;
+    };
+    const auto expect = [&](const char* text, const char* wanted) {
+        EXPECT_EQ(substitute_outside_sums(g, parse(g, text), y_for_x), parse(g, wanted)) << text;
+    };
+    expect("sum(blobs, cos(cx*x))*sin(x) + x", "sum(blobs, cos(cx*x))*sin(y) + y");
+    expect("max(least(blobs, x - cx), least(blobs, x - cx, x*cy))^2 - sin(x)",
+           "max(least(blobs, x - cx), least(blobs, x - cx, x*cy))^2 - sin(y)");
+    expect("sum(blobs, cos(cx*x))", "sum(blobs, cos(cx*x))");
+}
+
 TEST(Substitute, KeepsSelectAndDerivativesOfChebyshev) {
     Graph g;
     const NodeId x = g.input(0), y = g.input(1);
