@@ -85,6 +85,16 @@ std::string summary(const sequence::ExportTotals& totals, Seconds wall) {
 
 void warn(const std::string& text) { message("warning: {}\n", text); }
 
+// Of frames for which no bounds were looked for: empty if there are none.
+std::string bounds_beyond(const sequence::Exporter& exporter) {
+    const scene::Scene& scene = exporter.scene();
+    const int last = std::ranges::max(exporter.options().frames);
+    if (!scene.surface.found_bounds || last <= scene.timeline.frames) return "";
+    return fmt::format("frames beyond {0} are cut by the bounds of frames 1 to {0}; --set "
+                       "time.frames={1} finds bounds for all",
+                       scene.timeline.frames, last);
+}
+
 // What is known of each surface at the first frame asked for, with what tells it from others.
 std::vector<std::pair<std::string, scene::Sight>> sights_of(const sequence::Exporter& exporter) {
     const scene::Scene& scene = exporter.scene();
@@ -128,6 +138,7 @@ int render(const RenderArguments& arguments) {
     };
     sequence::Exporter exporter = exporter_of(arguments);
     const sequence::ExportOptions& options = exporter.options();
+    if (const std::string beyond = bounds_beyond(exporter); !beyond.empty()) warn(beyond);
     exporter.make_folders();
     if (!options.movies.empty()) sequence::expect_ffmpeg();
     const auto context = gpu::Context::create(gpu::parse_backend(arguments.backend));

@@ -83,6 +83,17 @@ void check_grid(const TopologyArguments& arguments) {
     }
 }
 
+// The settings, with so many frames that bounds are found for all that are searched, if they have
+// to be found.
+std::vector<scene::Override> settings_of(const TopologyArguments& arguments,
+                                         const scene::Scene& scene) {
+    std::vector<scene::Override> settings = arguments.settings;
+    if (arguments.frames.empty() || !scene.surface.found_bounds) return settings;
+    const int last = std::ranges::max(animation::parse_frame_range(arguments.frames));
+    if (last > scene.timeline.frames) settings.push_back(fmt::format("time.frames={}", last));
+    return settings;
+}
+
 // The first and the last frame of what is searched; all time in between is searched, too.
 std::pair<int, int> span_of(const std::string& text, const scene::Scene& scene) {
     if (text.empty()) {
@@ -287,7 +298,7 @@ int contacts_of(const TopologyArguments& arguments, const scene::Scene& scene) {
     return is_complete ? exit_done : exit_open;
 }
 
-int topology_of(const TopologyArguments& arguments) {
+int topology_of(TopologyArguments arguments) {
     // What can be known to fail is told before minutes of searching.
     check_extension("-o", arguments.output, ".json");
     check_extension("--csv", arguments.csv, ".csv");
@@ -296,7 +307,11 @@ int topology_of(const TopologyArguments& arguments) {
     topology::parse_dt(arguments.dt, {1, 1});
     gpu::parse_backend(arguments.backend);
     if (!arguments.contact.empty()) check_proves_contact(arguments);
-    const scene::Scene loaded = scene::load(arguments.scene, arguments.settings, arguments.reach);
+    scene::Scene loaded = scene::load(arguments.scene, arguments.settings, arguments.reach);
+    if (const auto settings = settings_of(arguments, loaded); settings != arguments.settings) {
+        arguments.settings = settings;
+        loaded = scene::load(arguments.scene, settings, arguments.reach);
+    }
     const Subject subject = subject_of(loaded, arguments.surface, arguments.contact);
     const scene::Scene& scene = subject.first;
     if (!scene.sections.empty() && !arguments.quiet) {

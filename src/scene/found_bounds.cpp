@@ -49,22 +49,29 @@ void cover(Values& all, const Values& more) {
     }
 }
 
+// What moves between two frames is looked at there, too.
+constexpr int parts_of_frame = 4;
+
 // What names stand for at all frames, neighbours together; none if that takes long.
 std::optional<std::vector<Values>> values_of_frames(const Scene& scene) {
     const animation::Animation& animation = scene.timeline.animation;
     double each = 100;
     for (std::size_t a = 0; a < animation.arrays().size(); ++a) each += animation.operations(a);
-    if (each * scene.timeline.frames > most_of_frames) return std::nullopt;
-    const int together = (scene.timeline.frames + groups - 1) / groups;
+    const int frames = scene.timeline.frames;
+    if (each * frames > most_of_frames) return std::nullopt;
+    const int parts = each * frames * parts_of_frame > most_of_frames ? 1 : parts_of_frame;
+    const int moments = (frames - 1) * parts + 1, together = (moments + groups - 1) / groups;
     std::vector<Values> all;
-    for (int frame = 1; frame <= scene.timeline.frames; ++frame) {
+    for (int moment = 0; moment < moments; ++moment) {
         Values now;
         try {
-            now = formula::convert<Interval>(at(scene, scene.timeline.values(frame)).bindings);
+            const double part = double(moment % parts) / parts;
+            const auto values = scene.timeline.values(1 + moment / parts, part);
+            now = formula::convert<Interval>(at(scene, values).bindings);
         } catch (const SceneError&) { // said where the frame is drawn
             continue;
         }
-        const bool is_next = all.empty() || (frame - 1) % together == 0;
+        const bool is_next = all.empty() || moment % together == 0;
         if (is_next || !has_same_counts(all.back(), now)) {
             all.push_back(std::move(now));
         } else {

@@ -44,6 +44,7 @@ const KernelTable& interval_table() {
         const KernelTable own{
             {floats, {}, {"math/bits.glsl"}},
             {arithmetic, {}, {floats}},
+            {"interval/exact.glsl", {"exact"}, {arithmetic}},
             {divide, {"divide"}, {arithmetic}},
             {root, {"sqrt"}, {arithmetic}},
             {exp, {"exp", "sinh", "cosh", "tanh"}, {arithmetic, "math/exp.glsl"}},
@@ -71,6 +72,7 @@ const KernelTable& double_interval_table() {
         return KernelTable{
             {doubles, {}, {}},
             {arithmetic, {}, {doubles}},
+            {"interval/exact.glsl", {"exact"}, {arithmetic}},
             {"interval/divide.glsl", {"divide"}, {arithmetic}},
             {"interval/sqrt.glsl", {"sqrt"}, {arithmetic}},
             {around, {}, {doubles}},
@@ -121,8 +123,7 @@ std::vector<std::string> interval_files(const std::set<std::string>& kernels) {
 
 DoubleIntervalFiles double_interval_files(const std::set<std::string>& kernels) {
     std::set<std::string> by_floats = kernels;
-    by_floats.erase("divide");
-    by_floats.erase("sqrt");
+    for (const char* on_doubles : {"exact", "divide", "sqrt"}) by_floats.erase(on_doubles);
     return {by_floats.empty() ? kernel_files({}) : interval_files(by_floats),
             files_of(double_interval_table(), kernels, "interval/arithmetic.glsl")};
 }

@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include "formula/glsl/array_texels.h"
+#include "formula/glsl/exact_results.h"
 #include "formula/graph/functions.h"
 #include "formula/graph/lowering.h"
 
@@ -108,7 +109,8 @@ public:
         , doubles_(numbers.numbers == Numbers::doubles)
         , listed_(numbers.listed)
         , type_(doubles_ ? "dvec2" : "vec2")
-        , known_(std::size_t(program.registers)) {}
+        , known_(std::size_t(program.registers))
+        , is_exact_(exact_results(program)) {}
 
     std::string write() {
         text_ = (doubles_ ? on_doubles(signature_.head) : signature_.head) + " {\n";
@@ -130,6 +132,25 @@ private:
     template<class... Args> void line(fmt::format_string<Args...> format, Args&&... args) {
         text_.append(std::size_t(indent_) * 4, ' ');
         text_ += fmt::format(format, std::forward<Args>(args)...) + "\n";
+    }
+
+    // A result that is a number where shaders/interval/exact.glsl can tell.
+    std::string kept_exact(const Instruction& now, const std::string& value) const {
+        const auto is_given = [&](std::size_t k) { // drivers may take it for 0
+            return known_[std::size_t(now.operands[k])].may_be_subnormal;
+        };
+        if (!is_exact_[std::size_t(now.result)] || is_given(0) || is_given(1)) return value;
+        const std::string a = interval(now.operands[0]), b = interval(now.operands[1]);
+        switch (now.op) {
+        case Op::add:
+            return fmt::format("im_exact_sum({}, {}, {})", a, b, value);
+        case Op::subtract:
+            return fmt::format("im_exact_sum({}, -{}.yx, {})", a, b, value);
+        case Op::multiply:
+            return fmt::format("im_exact_product({}, {}, {})", a, b, value);
+        default:
+            return fmt::format("im_exact_quotient({}, {}, {})", a, b, value);
+        }
     }
 
     void instruction(const Instruction& now, std::size_t at) {
@@ -246,15 +267,15 @@ private:
             return;
         case Op::add: {
             const bool positive = a_positive && b_positive;
-            return add(now.result, a, b, limited(call("im_add", a, b), positive), positive);
+            return add(now, limited(call("im_add", a, b), positive), positive);
         }
         case Op::subtract:
-            return add(now.result, a, b, call("im_subtract", a, b), false);
+            return add(now, call("im_subtract", a, b), false);
         case Op::multiply:
-            return multiply(now.result, a, b);
+            return multiply(now);
         case Op::divide:
             // 0/0 would be the entire line.
-            return define(now.result, call("im_divide", a, b),
+            return define(now.result, kept_exact(now, call("im_divide", a, b)),
                           known(a).positive_constant && b_positive);
         case Op::min:
             return define(now.result, call("min", a, b), a_positive && b_positive);
@@ -305,7 +326,9 @@ private:
         }
     }
 
-    void add(Register result, Register a, Register b, std::string value, bool positive) {
+    void add(const Instruction& now, std::string value, bool positive) {
+        const Register result = now.result, a = now.operands[0], b = now.operands[1];
+        value = kept_exact(now, value);
         const bool may_rest = known(a).may_rest && known(b).may_rest;
         if (may_rest) {
             value =
@@ -315,8 +338,10 @@ private:
         known(result).may_rest = may_rest;
     }
 
-    void multiply(Register result, Register a, Register b) {
-        if (a == b) return define(result, call("im_square", a), true);
+    void multiply(const Instruction& now) {
+        const Register result = now.result;
+        Register a = now.operands[0], b = now.operands[1];
+        if (a == b) return define(result, kept_exact(now, call("im_square", a)), true);
         if (known(b).point) std::swap(a, b);
         if (!known(b).not_negative && !known(a).point) std::swap(a, b);
         const bool positive = known(a).not_negative && known(b).not_negative;
@@ -332,6 +357,7 @@ private:
                                                  : "im_multiply",
                          a, b);
         }
+        value = kept_exact(now, value);
         bool may_rest = false;
         for (const Register factor : {a, b}) {
             if (known(factor).point || !known(factor).may_rest) continue;
@@ -372,6 +398,7 @@ private:
     const ListedArray* listed_;
     const std::string_view type_; // of intervals
     std::vector<Known> known_;
+    std::vector<bool> is_exact_; // exact_results.h
     std::string text_;
     int indent_ = 1;
 };
@@ -390,6 +417,8 @@ std::set<std::string> interval_kernels_used(const Program& program) {
         if (const std::string_view name = interval_kernel(now.op); !name.empty())
             kernels.emplace(name);
     }
+    const std::vector<bool> exact = exact_results(program);
+    if (std::ranges::find(exact, true) != exact.end()) kernels.emplace("exact");
     return kernels;
 }
 

@@ -89,6 +89,16 @@ bool is_made_of_known_words(std::string_view name) {
     return is_plain && are_known && (has_place || (words.empty() && has_digit));
 }
 
+bool names_time(std::string_view expression) {
+    return std::ranges::count(words_of(expression), "t", &Word::text) > 0;
+}
+
+// NAME=EXPRESSION with the time in it.
+bool moves_something(std::string_view setting) {
+    const std::size_t equals = setting.find('=');
+    return equals != setting.npos && names_time(setting.substr(equals + 1));
+}
+
 } // namespace
 
 bool is_formula(const std::string& name) {
@@ -97,13 +107,15 @@ bool is_formula(const std::string& name) {
     return name.find_first_of("=^*+()|<>%") != name.npos || is_made_of_known_words(name);
 }
 
-toml::table scene_of_formula(const std::string& formula) {
+toml::table scene_of_formula(const std::string& formula, std::span<const std::string> settings) {
     const std::vector<Word> words = words_of(formula);
     const auto is_used = [&](std::string_view name) {
         return std::ranges::count(words, name, &Word::text) > 0;
     };
     toml::table root{{"title", title_of(formula)}};
-    if (!is_used("t")) {
+    if (names_time(formula) || std::ranges::any_of(settings, moves_something))
+        root.insert("time", toml::table{{"frames", 120}, {"fps", 30}});
+    if (!names_time(formula)) {
         root.insert("surface", toml::table{{"formula", formula}});
         return root;
     }
@@ -120,7 +132,6 @@ toml::table scene_of_formula(const std::string& formula) {
     timed += formula.substr(end);
     root.insert("surface", toml::table{{"formula", timed}});
     root.insert("parameters", toml::table{{time, "t"}});
-    root.insert("time", toml::table{{"frames", 120}, {"fps", 30}});
     return root;
 }
 

@@ -549,9 +549,10 @@ bool is_there(const std::string& name) {
 }
 
 // Finds the document that load() is asked for.
-SceneDocument find_document(const std::string& name, Reach reach) {
+SceneDocument find_document(const std::string& name, const std::vector<Override>& overrides,
+                            Reach reach) {
     if (is_formula(name) && !is_there(name)) {
-        return {scene_of_formula(name), "", "formula.toml",
+        return {scene_of_formula(name, overrides), "", "formula.toml",
                 confines(base::open_folder(fs::path()), reach)};
     }
     const fs::path file = locate(name);
@@ -580,7 +581,7 @@ std::string how_to_name(std::string_view mistake) {
 // Loads what load() takes. `root` is left as the document with all that was set and found.
 Scene load_into(toml::table& root, const std::string& name, const std::vector<Override>& overrides,
                 Reach reach) {
-    SceneDocument document = find_document(name, reach);
+    SceneDocument document = find_document(name, overrides, reach);
     root = std::move(document.root);
     const bool is_formula_alone = is_formula(name) && !is_there(name);
     try {
