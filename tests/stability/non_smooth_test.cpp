@@ -130,6 +130,36 @@ INSTANTIATE_TEST_SUITE_P(Angles, NonSmooth,
                                          about_an_axis("spiral", turning_spiral, 10)),
                          test_name);
 
+// Arguments of floor and sign that are the number at which it jumps, all over some regions
+// (shaders/interval/exact.glsl).
+HardCase in_rows(const std::string& name, const std::string& formula) {
+    return {name,
+            fmt::format(R"(
+[surface]
+formula = "{}"
+bounds = {{ sphere = 1.5 }}
+[camera]
+azimuth = 30
+elevation = 35
+[output]
+size = [96, 96]
+)",
+                        formula),
+            {}};
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Rows, NonSmooth,
+    testing::Values(
+        in_rows("bricks", "r = floor(4*y); o = r/2 - floor(r/2); u = 2*x + o; z + 0.1*max(abs(u - "
+                          "floor(u) - 0.5), abs(4*y - r - 0.5))"),
+        in_rows("staggered dots", "r = floor(2*y + 0.5); u = 2*x - 0.5*(r - 2*floor(r/2)); v = u - "
+                                  "floor(u + 0.5); sqrt(v^2 + (2*y - r)^2 + 4*z^2) - 0.4"),
+        in_rows("every third step", "r = floor(5*x); z - 0.1*(r - 3*floor(r/3))"),
+        in_rows("steps on one side", "z - 0.1*floor(4*x*max(0, y))"),
+        in_rows("signs of a ramp that ends", "z - 0.2*sign(y*min(1, max(0, 3*x)))")),
+    test_name);
+
 // Bases that are never negative on paper, but may be by rounding, which leaves a power no value.
 INSTANTIATE_TEST_SUITE_P(
     PowersOfDifferences, NonSmooth,

@@ -38,12 +38,13 @@ Stays stays(const Instruction& now, const std::vector<Stays>& known) {
         return Stays::always;
     if (jumps(now.op)) return Stays::over_some_boxes;
     if (now.op == Op::select) return any(2);
-    // 0 times anything is 0.
-    if (is_choice(now.op) || now.op == Op::multiply) return any(0);
+    if (is_choice(now.op)) return any(0);
     if (now.op == Op::negate || now.op == Op::abs) return of(0);
     if (!is_arithmetic(now.op)) return Stays::never;
+    const bool is_by_0 = now.op == Op::multiply && // over some boxes
+                         (of(0) == Stays::over_some_boxes || of(1) == Stays::over_some_boxes);
     const bool both = of(0) != Stays::never && of(1) != Stays::never;
-    return both ? Stays::over_some_boxes : Stays::never;
+    return is_by_0 || both ? Stays::over_some_boxes : Stays::never;
 }
 
 } // namespace

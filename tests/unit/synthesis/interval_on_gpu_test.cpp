@@ -438,6 +438,53 @@ TEST_P(IntervalOnGpu, RoundingOfDoublesIsCounted) {
     }
 }
 
+// floor at results that are whole, or were rounded to a whole number: shaders/interval/exact.glsl.
+TEST_P(IntervalOnGpu, FloorJumpsWhereItsArgumentIsNotExact) {
+    struct Operation {
+        const char* text;
+        double (*of)(double x, double y); // exact, or rounded where floats are far from exact
+        float (*whole)(float y, float k); // x of a result that is k, or nearly
+    };
+    constexpr Operation all[]{
+        {"floor(min(x, 1e9) + min(y, 1e9))", [](double x, double y) { return x + y; },
+         [](float y, float k) { return k - y; }},
+        {"floor(min(x, 1e9) - min(y, 1e9))", [](double x, double y) { return x - y; },
+         [](float y, float k) { return k + y; }},
+        {"floor(min(x, 1e9)*min(y, 1e9))", [](double x, double y) { return x * y; },
+         [](float y, float k) { return k / y; }},
+        {"floor(min(x, 1e9)/min(y, 1e9))", [](double x, double y) { return x / y; },
+         [](float y, float k) { return k * y; }},
+    };
+    for (const auto& [text, of, whole] : all) {
+        const formula::Field field = formula::make_field(text, {});
+        std::vector<GpuBox> boxes(2048);
+        for (std::size_t b = 0; b < boxes.size(); ++b) {
+            // Whole numbers, halves, numbers of 24 bits, and some that are too small to add.
+            const float n = 1 + float(random.below(9)), k = float(random.below(7)) - 3;
+            const float y = std::array{n, 0.5f * n, random.in(0.1f, 9), n * 0x1p-28f}[b % 4];
+            boxes[b].fill(glm::vec2(1));
+            boxes[b][0] = glm::vec2(b % 3 == 0 ? k : whole(y, k));
+            boxes[b][1] = glm::vec2(y);
+        }
+        const auto bounds = bounds_on_gpu(field, {}, boxes);
+        int exact = 0, rounded = 0;
+        for (std::size_t b = 0; b < boxes.size(); ++b) {
+            const double value = of(double(boxes[b][0].x), double(boxes[b][1].x));
+            const glm::vec2 gpu = bounds[b].outputs[0];
+            EXPECT_LE(double(gpu.x), std::floor(value)) << text << ' ' << describe(boxes[b]);
+            EXPECT_GE(double(gpu.y), std::floor(value)) << text << ' ' << describe(boxes[b]);
+            if (value == std::floor(value) && std::abs(value) < 1e6) {
+                EXPECT_LT(gpu.y - gpu.x, 0.1f) << text << ' ' << describe(boxes[b]);
+                ++exact;
+            } else if (float(value) == std::floor(float(value))) {
+                ++rounded;
+            }
+        }
+        EXPECT_GT(exact, 300) << text;
+        EXPECT_GT(rounded, 50) << text;
+    }
+}
+
 // The bounds at points are no wider than rounding makes them, which is what doubles are taken for.
 TEST_P(IntervalOnGpu, RationalOperationsOnDoublesAreDoubles) {
     if (!context->info().has(4, 0)) GTEST_SKIP() << "no doubles";
