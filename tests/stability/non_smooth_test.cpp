@@ -157,6 +157,8 @@ INSTANTIATE_TEST_SUITE_P(
                                   "floor(u + 0.5); sqrt(v^2 + (2*y - r)^2 + 4*z^2) - 0.4"),
         in_rows("every third step", "r = floor(5*x); z - 0.1*(r - 3*floor(r/3))"),
         in_rows("steps on one side", "z - 0.1*floor(4*x*max(0, y))"),
+        in_rows("steps above a plane", "z - 0.08*floor(2*x*max(0, z))"),
+        in_rows("steps beside a ramp", "z - 0.1*floor(1 + max(0, z)) + 0.1"),
         in_rows("signs of a ramp that ends", "z - 0.2*sign(y*min(1, max(0, 3*x)))")),
     test_name);
 
