@@ -36,6 +36,26 @@ TEST(KinkedTimelines, AreThoseMadeByHand) {
                   "s = \"0.05 + 0.6*t\"", ball, {{0.75, Kind::split}}, {2, 0, 0});
 }
 
+// Two bodies melt together, and nothing happens where the blend begins.
+TEST(KinkedTimelines, BlendsAreSmooth) {
+    const std::string bodies =
+        "a = (x - s)^2 + y^2 + z^2 - 0.25; b = (x + s)^2 + y^2 + z^2 - 0.25; ";
+    // In the middle each body is k/4 = 0.1 away.
+    const Told merged{(0.8 - std::sqrt(0.35)) / 0.6, Kind::merge};
+    const auto expect_merge = [&](const std::string& blend, const std::string& parameters) {
+        expect_around(bodies + blend, "s = \"0.8 - 0.6*t\"\n" + parameters, {2, 0, 0}, {merged},
+                      {1, 0, 0});
+    };
+    expect_merge("smoothmin(a, b, 0.4)", "");
+    expect_merge("smoothmin(b, a, k)", "k = 0.4");
+    expect_merge("min(a, b) - max(0.4 - abs(a - b), 0)^2/1.6", "");
+    expect_merge("-(max(k - abs(b - a), 0)^2/(4*k)) + min(a, b)", "k = 0.4");
+    expect_merge("h = min(max(0.5 + 0.5*(b - a)/0.4, 0), 1); b*(1 - h) + a*h - 0.4*h*(1 - h)", "");
+    // A plane rises below a ball. At s = 0.9046 it reaches the blend's rim below the ball's middle.
+    expect_around("smoothmin((x - 0.1)^2 + (y + 0.1)^2 + z^2 - 1, z + 2 - s, 0.2)",
+                  "s = \"0.88 + 0.04*t\"", {2, 0, 0}, {}, {2, 0, 0});
+}
+
 class RandomSolid {
 public:
     explicit RandomSolid(unsigned seed)

@@ -7,6 +7,7 @@
 #include "formula/graph/derivative.h"
 #include "formula/graph/substitute.h"
 #include "formula/interval/interval_operations.h"
+#include "topology/field/difference.h"
 
 namespace isomotion::topology {
 namespace {
@@ -18,25 +19,6 @@ using formula::NodeId;
 using formula::Op;
 
 constexpr int most_unrolled = 128; // elements of a least()
-
-// What min, max and abs are |h| of: h = first - second.
-struct Difference {
-    NodeId first = 0, second = 0;
-    bool operator==(const Difference&) const = default;
-};
-
-std::optional<Difference> difference(Graph& g, const Node& node) {
-    if (node.op == Op::min || node.op == Op::max)
-        return Difference{node.children[0], node.children[1]};
-    if (node.op != Op::abs) return std::nullopt;
-    const Node inner = g[node.children[0]];
-    if (inner.op == Op::subtract) return Difference{inner.children[0], inner.children[1]};
-    return Difference{node.children[0], g.constant(0)};
-}
-
-bool is_the_same(const Difference& a, const Difference& b) {
-    return a == b || a == Difference{b.second, b.first};
-}
 
 struct Square {
     double weight = 1;
@@ -73,10 +55,29 @@ std::optional<NodeId> as_abs(Graph& g, const Node& node) {
     return g.unary(Op::abs, (*of)[0].of);
 }
 
-NodeId with_abs(Graph& g, NodeId root) {
-    return formula::substitute(g, g, std::array{root}, [](Graph& to, const Node&, NodeId rebuilt) {
+// Remakes the root, and what it may be written as.
+void remake(Graph& g, NodeId& root, std::vector<Narrower>& narrower,
+            const formula::Replacement& replacement) {
+    std::vector<NodeId> all{root};
+    for (const Narrower& one : narrower) all.insert(all.end(), {one.than, one.is});
+    all = formula::substitute(g, g, all, replacement);
+    root = all[0];
+    for (std::size_t k = 0; k < narrower.size(); ++k)
+        narrower[k] = {all[2 * k + 1], all[2 * k + 2]};
+}
+
+void put_abs(Graph& g, NodeId& root, std::vector<Narrower>& narrower) {
+    remake(g, root, narrower, [](Graph& to, const Node&, NodeId rebuilt) {
         const Node node = to[rebuilt];
         return as_abs(to, node).value_or(rebuilt);
+    });
+}
+
+NodeId narrowed(Graph& g, NodeId root, const std::vector<Narrower>& narrower) {
+    if (narrower.empty()) return root;
+    return formula::substitute(g, g, std::array{root}, [&](Graph&, const Node&, NodeId rebuilt) {
+        const auto found = std::ranges::find(narrower, rebuilt, &Narrower::than);
+        return found == narrower.end() ? rebuilt : found->is;
     })[0];
 }
 
@@ -89,24 +90,45 @@ std::set<NodeId> bases(const Graph& g, std::span<const NodeId> below) {
     return found;
 }
 
-// The outermost kink of min, max or abs; else the outermost cone that isn't among those left out.
-std::optional<NodeId> outermost(const Graph& g, NodeId root, std::span<const NodeId> beside) {
+// Whether some operation below this one compares the same as another one of `choices` that isn't
+// below it: |a - b| in max(k - |a - b|, 0), beside min(a, b).
+bool holds_others_difference(Graph& g, NodeId id, std::span<const NodeId> choices) {
+    const std::vector<NodeId> below = formula::nodes_below(g, std::array{id});
+    const auto is_below = [&](NodeId one) { return std::ranges::binary_search(below, one); };
+    return std::ranges::any_of(choices, [&](NodeId inner) {
+        if (inner == id || !is_below(inner)) return false;
+        const Difference of_inner = *difference(g, Node(g[inner]));
+        return std::ranges::any_of(choices, [&](NodeId other) {
+            return !is_below(other) && is_the_same(*difference(g, Node(g[other])), of_inner);
+        });
+    });
+}
+
+// The outermost kink of min, max or abs, those first that hold another one's difference: without
+// them the other may be none. Else the outermost cone that isn't among those left out.
+std::optional<NodeId> outermost(Graph& g, NodeId root, std::span<const NodeId> beside) {
     const std::vector<NodeId> below = formula::nodes_below(g, std::array{root});
     const std::set<NodeId> powers = bases(g, below);
-    const auto find = [&](auto&& is_kink) -> std::optional<NodeId> {
+    const auto find = [&](auto&& is_kink) {
+        std::vector<NodeId> found;
         for (auto id = below.rbegin(); id != below.rend(); ++id) {
-            if (g[*id].arrays == 0 && !powers.contains(*id) && is_kink(*id)) return *id;
+            if (g[*id].arrays == 0 && !powers.contains(*id) && is_kink(*id)) found.push_back(*id);
         }
-        return std::nullopt;
+        return found;
     };
-    const auto split = find([&](NodeId id) {
+    const std::vector<NodeId> choices = find([&](NodeId id) {
         return g[id].op == Op::min || g[id].op == Op::max || g[id].op == Op::abs;
     });
-    if (split) return split;
-    return find([&](NodeId id) {
+    if (!choices.empty()) {
+        const auto first = std::ranges::find_if(
+            choices, [&](NodeId id) { return holds_others_difference(g, id, choices); });
+        return first == choices.end() ? choices.front() : *first;
+    }
+    const std::vector<NodeId> cones = find([&](NodeId id) {
         return g[id].op == Op::sqrt && std::ranges::find(beside, id) == beside.end() &&
                squares(g, g[id].children[0]).has_value();
     });
+    return cones.empty() ? std::nullopt : std::optional(cones.front());
 }
 
 // least(array, key) of few elements as min of their keys. Elements' fields become parameters.
@@ -122,27 +144,24 @@ void unroll(BoundFormula& formula) {
                 return in.parameter(int(bindings.parameters.size() - 1));
             })[0];
     };
-    formula.root = formula::substitute(
-        g, g, std::array{formula.root}, [&](Graph& to, const Node&, NodeId rebuilt) {
-            const Node node = to[rebuilt];
-            if (node.op != Op::least || node.arrays != 0) return rebuilt;
-            const int count = bindings.arrays[std::size_t(node.index)].count;
-            if (count < 1 || count > most_unrolled) return rebuilt;
-            for (const NodeId id : formula::nodes_below(to, std::array{node.children[0]})) {
-                const Node& below = to[id];
-                if (formula::is_over_elements(below.op) && below.index == node.index)
-                    return rebuilt;
-            }
-            std::vector<NodeId> keys;
-            for (std::size_t i = 0; i < std::size_t(count); ++i)
-                keys.push_back(key_of(to, node, i));
-            // Builds the least as a tree: what is far is left out of it by halves.
-            for (std::size_t step = 1; step < keys.size(); step *= 2) {
-                for (std::size_t k = 0; k + step < keys.size(); k += 2 * step)
-                    keys[k] = to.binary(Op::min, keys[k], keys[k + step]);
-            }
-            return keys[0];
-        })[0];
+    remake(g, formula.root, formula.narrower, [&](Graph& to, const Node&, NodeId rebuilt) {
+        const Node node = to[rebuilt];
+        if (node.op != Op::least || node.arrays != 0) return rebuilt;
+        const int count = bindings.arrays[std::size_t(node.index)].count;
+        if (count < 1 || count > most_unrolled) return rebuilt;
+        for (const NodeId id : formula::nodes_below(to, std::array{node.children[0]})) {
+            const Node& below = to[id];
+            if (formula::is_over_elements(below.op) && below.index == node.index) return rebuilt;
+        }
+        std::vector<NodeId> keys;
+        for (std::size_t i = 0; i < std::size_t(count); ++i) keys.push_back(key_of(to, node, i));
+        // Builds the least as a tree: what is far is left out of it by halves.
+        for (std::size_t step = 1; step < keys.size(); step *= 2) {
+            for (std::size_t k = 0; k + step < keys.size(); k += 2 * step)
+                keys[k] = to.binary(Op::min, keys[k], keys[k + step]);
+        }
+        return keys[0];
+    });
 }
 
 std::size_t multipliers_of(std::span<const Kink> kinks) {
@@ -181,6 +200,7 @@ struct KinkTree::Question {
 
 struct KinkTree::Branch {
     NodeId root;
+    std::vector<Narrower> narrower;
     std::vector<Kink> kinks;
     std::vector<Interval> ranges; // of their multipliers
     std::vector<NodeId> beside;   // cones that it is beside
@@ -197,26 +217,37 @@ enum SideOfKink : char { negative, positive, on, beside }; // of h
 KinkTree::KinkTree(BoundFormula formula, std::size_t most_multipliers)
     : formula_(std::move(formula))
     , most_multipliers_(most_multipliers) {
+    formula_.graph.fold_exactly();
     unroll(formula_);
-    formula_.root = with_abs(formula_.graph, formula_.root);
-    root_ = make(formula_.root, {}, {}, {});
+    put_abs(formula_.graph, formula_.root, formula_.narrower);
+    root_ = make(formula_.root, formula_.narrower, {}, {}, {});
 }
 
 bool KinkTree::has_kinks() const { return root_->question.has_value(); }
 
 KinkTree::~KinkTree() = default;
 
-std::unique_ptr<KinkTree::Branch> KinkTree::make(NodeId root, std::vector<Kink> kinks,
-                                                 std::vector<NodeId> cones,
+std::unique_ptr<KinkTree::Branch> KinkTree::make(NodeId root, std::vector<Narrower> narrower,
+                                                 std::vector<Kink> kinks, std::vector<NodeId> cones,
                                                  std::vector<char> path) {
     auto made = std::make_unique<Branch>();
     made->root = root;
+    made->narrower = std::move(narrower);
     made->ranges = ranges_of(kinks);
     made->kinks = std::move(kinks);
     made->beside = std::move(cones);
     made->path = std::move(path);
     Graph& g = formula_.graph;
-    const auto id = outermost(g, root, made->beside);
+    std::optional<NodeId> id = outermost(g, root, made->beside);
+    while (id) {
+        const auto height = difference(g, Node(g[*id]));
+        const auto smooth =
+            height ? without_even_height(g, root, *height, formula_.bindings.parameters)
+                   : std::nullopt;
+        if (!smooth) break;
+        made->root = root = *smooth;
+        id = outermost(g, root, made->beside);
+    }
     if (!id) return made;
     const Node node = g[*id];
     Question question{*id, difference(g, node), {}, {}, {}};
@@ -261,33 +292,34 @@ KinkTree::Branch& KinkTree::below(Branch& branch, char side) {
         kinks.push_back(std::move(kink));
     }
     NodeId root = branch.root;
+    std::vector<Narrower> narrower = branch.narrower;
     if (!question.of && side == positive) {
         cones.push_back(question.node);
     } else {
         const NodeId half = g.constant(0.5);
-        root = formula::substitute(
-            g, g, std::array{root}, [&](Graph& to, const Node& node, NodeId rebuilt) {
-                if (!question.of) {
-                    return node == to[question.node] ? height : rebuilt;
-                }
-                const auto here = difference(to, node);
-                if (!here || !is_the_same(*here, *question.of)) return rebuilt;
-                const bool is_negative = (side == negative) == (*here == *question.of);
-                const auto [a, b] = *here;
-                if (node.op == Op::abs) {
-                    const NodeId of = node.children[0];
-                    return side == on ? height : is_negative ? to.unary(Op::negate, of) : of;
-                }
-                if (side != on) return (node.op == Op::min) == is_negative ? a : b;
-                const NodeId sum = to.add(a, b);
-                return to.multiply(half, node.op == Op::min ? to.subtract(sum, height)
-                                                            : to.add(sum, height));
-            })[0];
-        root = with_abs(g, root);
+        remake(g, root, narrower, [&](Graph& to, const Node& node, NodeId rebuilt) {
+            if (!question.of) {
+                return node == to[question.node] ? height : rebuilt;
+            }
+            const auto here = difference(to, node);
+            if (!here || !is_the_same(*here, *question.of)) return rebuilt;
+            const bool is_negative = (side == negative) == (*here == *question.of);
+            const auto [a, b] = *here;
+            if (node.op == Op::abs) {
+                const NodeId of = node.children[0];
+                return side == on ? height : is_negative ? to.unary(Op::negate, of) : of;
+            }
+            if (side != on) return (node.op == Op::min) == is_negative ? a : b;
+            const NodeId sum = to.add(a, b);
+            return to.multiply(half,
+                               node.op == Op::min ? to.subtract(sum, height) : to.add(sum, height));
+        });
+        put_abs(g, root, narrower);
+        root = narrowed(g, root, narrower);
     }
     std::vector<char> path = branch.path;
     path.push_back(side);
-    made = make(root, std::move(kinks), std::move(cones), std::move(path));
+    made = make(root, std::move(narrower), std::move(kinks), std::move(cones), std::move(path));
     made->above = &branch;
     return *made;
 }
@@ -367,7 +399,11 @@ std::span<const Interval> KinkTree::ranges(const Branch& branch) { return branch
 const std::vector<char>& KinkTree::path(const Branch& branch) { return branch.path; }
 
 BoundFormula bound_formula(const Motion& motion) {
-    return {motion.graph, motion.field, formula::convert<Interval>(motion.bindings)};
+    Graph graph = motion.graph;
+    std::vector<Narrower> narrower;
+    const NodeId field = with_blends_in_pieces(graph, motion, narrower);
+    return {std::move(graph), field, formula::convert<Interval>(motion.bindings),
+            std::move(narrower)};
 }
 
 } // namespace isomotion::topology

@@ -19,6 +19,7 @@
 #include <vector>
 
 #include "topology/field/motion.h"
+#include "topology/field/smooth_joints.h"
 #include "topology/field/space_box.h"
 
 namespace isomotion::topology {
@@ -42,6 +43,7 @@ struct BoundFormula {
     formula::Graph graph;
     formula::NodeId root{};
     formula::Bindings<formula::Interval> bindings;
+    std::vector<Narrower> narrower{}; // what its smooth formulas may be written as
 };
 
 // Splits a formula by the signs of h, kink by kink, the outermost first. Keeps the answers to
@@ -89,8 +91,9 @@ private:
                  std::size_t most, std::vector<const Branch*>& found);
     formula::Interval asked(const Branch& branch, std::span<const formula::Interval> inputs);
     Branch& below(Branch& branch, char side);
-    std::unique_ptr<Branch> make(formula::NodeId root, std::vector<Kink> kinks,
-                                 std::vector<formula::NodeId> beside, std::vector<char> path);
+    std::unique_ptr<Branch> make(formula::NodeId root, std::vector<Narrower> narrower,
+                                 std::vector<Kink> kinks, std::vector<formula::NodeId> beside,
+                                 std::vector<char> path);
 
     BoundFormula formula_;
     std::size_t most_multipliers_;

@@ -35,6 +35,7 @@ formula::Program height_program(const KinkTree& tree, NodeId root, std::size_t k
 Motion with_field(const Motion& motion, const BoundFormula& formula, NodeId root) {
     Motion made = motion;
     made.graph = Graph{};
+    made.graph.fold_exactly();
     const auto copy = [&](const Graph& of, NodeId node) {
         return formula::substitute(
             made.graph, of, std::array{node}, [](Graph& to, const Node& leaf, NodeId rebuilt) {
