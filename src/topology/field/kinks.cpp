@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <set>
+#include <utility>
 
 #include "formula/graph/derivative.h"
 #include "formula/graph/substitute.h"
@@ -90,18 +92,29 @@ std::set<NodeId> bases(const Graph& g, std::span<const NodeId> below) {
     return found;
 }
 
-// Whether some operation below this one compares the same as another one of `choices` that isn't
-// below it: |a - b| in max(k - |a - b|, 0), beside min(a, b).
-bool holds_others_difference(Graph& g, NodeId id, std::span<const NodeId> choices) {
-    const std::vector<NodeId> below = formula::nodes_below(g, std::array{id});
-    const auto is_below = [&](NodeId one) { return std::ranges::binary_search(below, one); };
-    return std::ranges::any_of(choices, [&](NodeId inner) {
-        if (inner == id || !is_below(inner)) return false;
-        const Difference of_inner = *difference(g, Node(g[inner]));
-        return std::ranges::any_of(choices, [&](NodeId other) {
-            return !is_below(other) && is_the_same(*difference(g, Node(g[other])), of_inner);
-        });
-    });
+// The outermost of `choices` that holds the difference of another one beside it, as max(k - |a -
+// b|, 0) does beside min(a, b).
+std::optional<NodeId> with_others_difference(Graph& g, std::span<const NodeId> choices) {
+    std::map<std::pair<NodeId, NodeId>, std::vector<NodeId>> by_difference;
+    for (const NodeId id : choices) {
+        const auto [a, b] = *difference(g, Node(g[id]));
+        by_difference[std::minmax(a, b)].push_back(id);
+    }
+    std::erase_if(by_difference, [](const auto& one) { return one.second.size() < 2; });
+    if (by_difference.empty()) return std::nullopt;
+    for (const NodeId id : choices) {
+        const std::vector<NodeId> below = formula::nodes_below(g, std::array{id});
+        const auto is_inside = [&](NodeId one) {
+            return one != id && std::ranges::binary_search(below, one);
+        };
+        const auto is_split = [&](const auto& same) {
+            const auto inside = std::ranges::count_if(same.second, is_inside);
+            return inside > 0 && inside < std::ssize(same.second) &&
+                   std::ranges::find(same.second, id) == same.second.end();
+        };
+        if (std::ranges::any_of(by_difference, is_split)) return id;
+    }
+    return std::nullopt;
 }
 
 // The outermost kink of min, max or abs, those first that hold another one's difference: without
@@ -119,11 +132,7 @@ std::optional<NodeId> outermost(Graph& g, NodeId root, std::span<const NodeId> b
     const std::vector<NodeId> choices = find([&](NodeId id) {
         return g[id].op == Op::min || g[id].op == Op::max || g[id].op == Op::abs;
     });
-    if (!choices.empty()) {
-        const auto first = std::ranges::find_if(
-            choices, [&](NodeId id) { return holds_others_difference(g, id, choices); });
-        return first == choices.end() ? choices.front() : *first;
-    }
+    if (!choices.empty()) return with_others_difference(g, choices).value_or(choices.front());
     const std::vector<NodeId> cones = find([&](NodeId id) {
         return g[id].op == Op::sqrt && std::ranges::find(beside, id) == beside.end() &&
                squares(g, g[id].children[0]).has_value();
