@@ -429,6 +429,7 @@ TEST_F(Assemble, EveryShaderFileIsUsedBySomeScene) {
         texts.push_back(surface_text("x", bounds, "hermite") + every_effect.back());
         texts.push_back(surface_text("abs(x)", bounds, "hermite"));            // with kinks alone
         texts.push_back(surface_text("(x^2 - y)^2 - z^3", bounds, "hermite")); // squares
+        texts.push_back(surface_text("x - floor(floor(y)/2)", bounds, "hermite"));
         texts.push_back(surface_text("x^2 - y", bounds, "hermite") +
                         "certify = true\n"); // settled, proved
         texts.push_back(blobs_text(75, bounds, "hermite"));
