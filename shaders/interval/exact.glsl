@@ -1,5 +1,5 @@
-// im_exact_sum, im_exact_product, im_exact_quotient: arithmetic with ends that are not rounded where
-// they are exact. Needs arithmetic.glsl.
+// im_exact_sum, im_exact_product, im_exact_quotient: arithmetic with ends that are not rounded
+// where they are exact. Needs arithmetic.glsl.
 //
 // floor and sign jump at single numbers. An argument that is such a number over some region, as
 // floor(x)/2 and x*max(0, y) are, would seem to jump all over the region if it were rounded

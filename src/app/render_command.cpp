@@ -16,6 +16,7 @@
 #include "app/render_arguments.h"
 #include "app/stop_on_signal.h"
 #include "image/frame.h"
+#include "scene/found_bounds.h"
 #include "scene/method.h"
 #include "scene/sight.h"
 #include "scene/surfaces.h"
@@ -89,7 +90,7 @@ void warn(const std::string& text) { message("warning: {}\n", text); }
 std::string bounds_beyond(const sequence::Exporter& exporter) {
     const scene::Scene& scene = exporter.scene();
     const int last = std::ranges::max(exporter.options().frames);
-    if (!scene.surface.found_bounds || last <= scene.timeline.frames) return "";
+    if (!scene::are_bounds_found(scene) || last <= scene.timeline.frames) return "";
     return fmt::format("frames beyond {0} are cut by the bounds of frames 1 to {0}; --set "
                        "time.frames={1} finds bounds for all",
                        scene.timeline.frames, last);

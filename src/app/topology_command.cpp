@@ -20,6 +20,7 @@
 #include "gpu/error.h"
 #include "image/encode.h"
 #include "render/renderer.h"
+#include "scene/found_bounds.h"
 #include "scene/reading/load.h"
 #include "scene/surfaces.h"
 #include "scene/unbounded.h"
@@ -88,9 +89,13 @@ void check_grid(const TopologyArguments& arguments) {
 std::vector<scene::Override> settings_of(const TopologyArguments& arguments,
                                          const scene::Scene& scene) {
     std::vector<scene::Override> settings = arguments.settings;
-    if (arguments.frames.empty() || !scene.surface.found_bounds) return settings;
+    if (arguments.frames.empty() || !scene::are_bounds_found(scene)) return settings;
     const int last = std::ranges::max(animation::parse_frame_range(arguments.frames));
-    if (last > scene.timeline.frames) settings.push_back(fmt::format("time.frames={}", last));
+    if (last <= scene.timeline.frames) return settings;
+    std::erase_if(settings, [](const scene::Override& setting) {
+        return setting.starts_with("time.seconds=") || setting.starts_with("time.frames=");
+    });
+    settings.push_back(fmt::format("time.frames={}", last));
     return settings;
 }
 

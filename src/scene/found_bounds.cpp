@@ -186,6 +186,11 @@ double rounded_up(double radius) {
 
 } // namespace
 
+bool are_bounds_found(const Scene& scene) {
+    const auto is_found = [](const Scene& one) { return one.surface.found_bounds.has_value(); };
+    return is_found(scene) || std::ranges::any_of(scene.others, is_found);
+}
+
 std::optional<FoundBounds> find_bounds(const Scene& scene) {
     const formula::Program program = formula::value_enclosure(*scene.surface.field);
     const auto values = values_of_frames(scene);

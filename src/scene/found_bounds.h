@@ -25,4 +25,7 @@ struct FoundBounds {
 // many elements or frames.
 std::optional<FoundBounds> find_bounds(const Scene& scene);
 
+// Whether bounds of some surface of the scene were looked for, since no file gives them.
+bool are_bounds_found(const Scene& scene);
+
 } // namespace isomotion::scene

@@ -78,6 +78,39 @@ TEST_F(Topology, WritesItsFilesAndMakesTheirFolders) {
     expect_only_whole_files();
 }
 
+// Bounds are found for what is searched: no ball leaves those of the scene's own frames.
+TEST_F(Topology, FindsBoundsForAllFramesThatAreSearched) {
+    const std::string text = R"toml([time]
+frames = 10
+[parameters]
+h = "0.1*t"
+[[surfaces]]
+name = "a"
+formula = "x^2 + y^2 + z^2 - 1"
+bounds = { sphere = 2 }
+[[surfaces]]
+name = "b"
+formula = "(x - 2)^2 + y^2 + (z - h)^2 - 0.5"
+)toml";
+    write("two.toml", text);
+    for (const Words& arguments :
+         {Words{"(x - a)^2 + y^2 + z^2 = 1", "--set", "a=t", "--frames", "1-200"},
+          Words{"(x - a)^2 + y^2 + z^2 = 1", "--set", "a=t", "--set", "time.seconds=1", "--frames",
+                "1-90"},
+          Words{"two.toml", "--surface", "b", "--frames", "1-200"}}) {
+        Words command{"topology"};
+        command.insert(command.end(), arguments.begin(), arguments.end());
+        const Ending ending = run(command);
+        EXPECT_EQ(ending.code, 0) << ending;
+        EXPECT_THAT(ending.out, HasSubstr("1 -> 1 components"));
+        EXPECT_THAT(ending.out, HasSubstr("no event\n"));
+    }
+    const Ending drawn = run({"render", "(x - a)^2 + y^2 + z^2 = 1", "--set", "a=t", "--frames",
+                              "150", "--size", "8x8", "-o", "ball.png"});
+    EXPECT_THAT(drawn.err, HasSubstr("frames beyond 120 are cut by the bounds of frames 1 to 120; "
+                                     "--set time.frames=150 finds bounds for all"));
+}
+
 TEST_F(Topology, WithoutADriverThePlotHasNoPictures) {
     Circumstances circumstances = this->circumstances();
     const Ending ending = run({"topology", "sphere.toml", "--frames", "1-2", "--certify", "off",

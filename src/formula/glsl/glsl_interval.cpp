@@ -216,13 +216,19 @@ private:
 
     void begin(const Instruction& now) {
         if (keeps_least(now.op)) define(now.operands[2], least_of_none(now), true);
-        if (now.op == Op::least) return define(now.result, least_of_none(now), true);
+        if (now.op == Op::least) {
+            define(now.result, least_of_none(now), true);
+            known(now.result).may_be_subnormal = is_listed(now);
+            return;
+        }
         if (now.op == Op::sum && is_listed(now)) {
             const auto own = std::ranges::find(listed_->sums, NodeId(now.second));
             if (own != listed_->sums.end()) {
                 const auto which = own - listed_->sums.begin();
-                return define(now.result,
-                              fmt::format("{}(array{}_rest[{}])", type_, now.index, which), false);
+                define(now.result, fmt::format("{}(array{}_rest[{}])", type_, now.index, which),
+                       false);
+                known(now.result).may_be_subnormal = true;
+                return;
             }
         }
         define(now.result, fmt::format("{}(0.0)", type_), true);
@@ -238,7 +244,7 @@ private:
                          result.not_negative));
         } else if (now.op == Op::least) {
             result.not_negative = known(key).not_negative;
-            result.may_be_subnormal = known(key).may_be_subnormal;
+            result.may_be_subnormal = result.may_be_subnormal || known(key).may_be_subnormal;
             line("{0} = min({0}, {1});", result.text, interval(key));
         } else {
             const std::string& least = known(now.operands[2]).text;

@@ -113,8 +113,14 @@ toml::table scene_of_formula(const std::string& formula, std::span<const std::st
         return std::ranges::count(words, name, &Word::text) > 0;
     };
     toml::table root{{"title", title_of(formula)}};
-    if (names_time(formula) || std::ranges::any_of(settings, moves_something))
-        root.insert("time", toml::table{{"frames", 120}, {"fps", 30}});
+    if (names_time(formula) || std::ranges::any_of(settings, moves_something)) {
+        toml::table time{{"fps", 30}};
+        const auto tells_seconds = [](const std::string& setting) {
+            return setting.starts_with("time.seconds=");
+        };
+        if (std::ranges::none_of(settings, tells_seconds)) time.insert("frames", 120);
+        root.insert("time", time);
+    }
     if (!names_time(formula)) {
         root.insert("surface", toml::table{{"formula", formula}});
         return root;

@@ -19,7 +19,8 @@ using Override = std::string;
 
 // `scene` is a path to a scene file (.toml, Surfer's .jsurf, POV-Ray's .pov), the name of an
 // animation of the gallery, or a formula: "x^2 + y^2 + z^2 = 1 + 0.3*sin(9*x + t)", which moves if
-// it or an override names t. Throws SceneError with all mistakes that reading finds, each in a line of its own.
+// it or an override names t. Throws SceneError with all mistakes that reading finds, each in a line
+// of its own.
 Scene load(const std::string& scene, const std::vector<Override>& overrides = {},
            Reach reach = Reach::own_folder);
 

@@ -44,10 +44,8 @@ void take_out_others(toml::table& table, std::string_view section, std::string_v
              {std::pair(choice.one, choice.other), std::pair(choice.other, choice.one)}) {
             if (std::ranges::count(given, key) == 0) continue;
             for (const std::string_view other : others) {
-                // What was set has a line of the command line and no file.
                 const toml::node* node = table.get(other);
-                const bool was_set = node && !node->source().path && node->source().begin.line > 0;
-                if (!was_set) table.erase(other);
+                if (node && node->source().path) table.erase(other);
             }
         }
     }

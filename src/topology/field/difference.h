@@ -1,4 +1,4 @@
-// What a choice compares: min, max and abs are smooth except where a difference is 0.
+// What a choice compares.
 #pragma once
 
 #include <optional>

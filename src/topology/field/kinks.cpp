@@ -92,34 +92,48 @@ std::set<NodeId> bases(const Graph& g, std::span<const NodeId> below) {
     return found;
 }
 
-// The outermost of `choices` that holds the difference of another one beside it, as max(k - |a -
-// b|, 0) does beside min(a, b).
-std::optional<NodeId> with_others_difference(Graph& g, std::span<const NodeId> choices) {
+// Choices that compare the same, where there are several.
+using SameDifference = std::vector<std::vector<NodeId>>;
+
+SameDifference same_differences(Graph& g, std::span<const NodeId> choices) {
     std::map<std::pair<NodeId, NodeId>, std::vector<NodeId>> by_difference;
     for (const NodeId id : choices) {
         const auto [a, b] = *difference(g, Node(g[id]));
         by_difference[std::minmax(a, b)].push_back(id);
     }
-    std::erase_if(by_difference, [](const auto& one) { return one.second.size() < 2; });
-    if (by_difference.empty()) return std::nullopt;
+    SameDifference several;
+    for (auto& [compared, same] : by_difference) {
+        if (same.size() > 1) several.push_back(std::move(same));
+    }
+    return several;
+}
+
+// The outermost of `choices` that holds the difference of another one beside it, as max(k - |a -
+// b|, 0) does beside min(a, b): without it the other may be no kink. Else the outermost.
+NodeId first_to_split(const Graph& g, std::span<const NodeId> choices, const SameDifference& all) {
+    if (all.empty()) return choices.front();
     for (const NodeId id : choices) {
         const std::vector<NodeId> below = formula::nodes_below(g, std::array{id});
         const auto is_inside = [&](NodeId one) {
             return one != id && std::ranges::binary_search(below, one);
         };
-        const auto is_split = [&](const auto& same) {
-            const auto inside = std::ranges::count_if(same.second, is_inside);
-            return inside > 0 && inside < std::ssize(same.second) &&
-                   std::ranges::find(same.second, id) == same.second.end();
+        const auto is_split = [&](const std::vector<NodeId>& same) {
+            const auto inside = std::ranges::count_if(same, is_inside);
+            return inside > 0 && inside < std::ssize(same) &&
+                   std::ranges::find(same, id) == same.end();
         };
-        if (std::ranges::any_of(by_difference, is_split)) return id;
+        if (std::ranges::any_of(all, is_split)) return id;
     }
-    return std::nullopt;
+    return choices.front();
 }
 
-// The outermost kink of min, max or abs, those first that hold another one's difference: without
-// them the other may be none. Else the outermost cone that isn't among those left out.
-std::optional<NodeId> outermost(Graph& g, NodeId root, std::span<const NodeId> beside) {
+struct Outermost {
+    NodeId id = 0;
+    bool shares_difference = false; // with another choice
+};
+
+// The outermost kink of min, max or abs; else the outermost cone that isn't among those left out.
+std::optional<Outermost> outermost(Graph& g, NodeId root, std::span<const NodeId> beside) {
     const std::vector<NodeId> below = formula::nodes_below(g, std::array{root});
     const std::set<NodeId> powers = bases(g, below);
     const auto find = [&](auto&& is_kink) {
@@ -132,12 +146,19 @@ std::optional<NodeId> outermost(Graph& g, NodeId root, std::span<const NodeId> b
     const std::vector<NodeId> choices = find([&](NodeId id) {
         return g[id].op == Op::min || g[id].op == Op::max || g[id].op == Op::abs;
     });
-    if (!choices.empty()) return with_others_difference(g, choices).value_or(choices.front());
+    if (!choices.empty()) {
+        const SameDifference all = same_differences(g, choices);
+        const NodeId first = first_to_split(g, choices, all);
+        const auto holds_first = [&](const std::vector<NodeId>& same) {
+            return std::ranges::find(same, first) != same.end();
+        };
+        return Outermost{first, std::ranges::any_of(all, holds_first)};
+    }
     const std::vector<NodeId> cones = find([&](NodeId id) {
         return g[id].op == Op::sqrt && std::ranges::find(beside, id) == beside.end() &&
                squares(g, g[id].children[0]).has_value();
     });
-    return cones.empty() ? std::nullopt : std::optional(cones.front());
+    return cones.empty() ? std::nullopt : std::optional(Outermost{cones.front(), false});
 }
 
 // least(array, key) of few elements as min of their keys. Elements' fields become parameters.
@@ -247,19 +268,17 @@ std::unique_ptr<KinkTree::Branch> KinkTree::make(NodeId root, std::vector<Narrow
     made->beside = std::move(cones);
     made->path = std::move(path);
     Graph& g = formula_.graph;
-    std::optional<NodeId> id = outermost(g, root, made->beside);
-    while (id) {
-        const auto height = difference(g, Node(g[*id]));
-        const auto smooth =
-            height ? without_even_height(g, root, *height, formula_.bindings.parameters)
-                   : std::nullopt;
+    std::optional<Outermost> kink = outermost(g, root, made->beside);
+    while (kink && kink->shares_difference) {
+        const auto smooth = without_even_height(g, root, *difference(g, Node(g[kink->id])),
+                                                formula_.bindings.parameters);
         if (!smooth) break;
         made->root = root = *smooth;
-        id = outermost(g, root, made->beside);
+        kink = outermost(g, root, made->beside);
     }
-    if (!id) return made;
-    const Node node = g[*id];
-    Question question{*id, difference(g, node), {}, {}, {}};
+    if (!kink) return made;
+    const Node node = g[kink->id];
+    Question question{kink->id, difference(g, node), {}, {}, {}};
     NodeId h = node.children[0];
     if (question.of) {
         h = g.subtract(question.of->first, question.of->second);

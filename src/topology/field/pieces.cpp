@@ -20,6 +20,7 @@ constexpr std::size_t most_kept = 512; // fields of pieces
 // Multipliers may be anything in their ranges.
 SpaceFormula alone(const BoundFormula& from, const KinkTree::Branch& piece, Side solid) {
     SpaceFormula made{{}, {}, from.bindings, solid};
+    made.graph.fold_exactly();
     const auto first = int(from.bindings.parameters.size());
     for (const Interval& range : KinkTree::ranges(piece)) made.bindings.parameters.push_back(range);
     made.root =

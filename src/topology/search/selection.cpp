@@ -17,6 +17,7 @@ using formula::Op;
 formula::Program height_program(const KinkTree& tree, NodeId root, std::size_t kinks) {
     if (kinks == 0) return {};
     Graph g;
+    g.fold_exactly();
     root = formula::substitute(g, tree.formula().graph, std::array{root},
                                [](Graph&, const Node&, NodeId rebuilt) { return rebuilt; })[0];
     std::vector<NodeId> heights;

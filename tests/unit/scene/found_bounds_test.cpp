@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 
+#include "scene/found_bounds.h"
 #include "scene/reading/load.h"
 #include "scene/scene_at.h"
 
@@ -127,6 +128,25 @@ cz = "2*random(i, 1) - 1"
         FAIL() << "no mistake";
     } catch (const SceneError& error) {
         EXPECT_THAT(error.what(), HasSubstr("surface.bounds: is missing, and looking for"));
+    }
+}
+
+// What moves by a setting alone, and what swings out between two frames.
+TEST(FoundBoundsOf, WhatASettingMovesHoldIt) {
+    const Scene drifting = load("(x - a)^2 + y^2 + z^2 = 1", {"a=2*t"});
+    EXPECT_EQ(drifting.timeline.frames, 120);
+    EXPECT_EQ(load("(x - a)^2 + y^2 + z^2 = 1", {"a=2"}).timeline.frames, 1);
+    EXPECT_EQ(load("(x - a)^2 + y^2 + z^2 = 1", {"a=2*t", "time.seconds=2"}).timeline.frames, 60);
+    EXPECT_EQ(load("(x - t)^2 + y^2 + z^2 = 1", {"time.frames=9"}).timeline.frames, 9);
+    const Scene swinging = load("(x - a)^2 + y^2 + z^2 = 1", {"a=3*sin(60*pi*t)"});
+    for (const Scene* scene : {&drifting, &swinging}) {
+        ASSERT_TRUE(are_bounds_found(*scene));
+        for (const double part : {0.0, 0.25, 0.5, 0.75}) {
+            const SceneAt now = at(*scene, scene->timeline.values(60, part));
+            const double reach =
+                glm::length(now.bounds.centre - glm::dvec3(now.bindings.parameters.at(0), 0, 0));
+            EXPECT_GE(now.bounds.radius, reach + 1) << part;
+        }
     }
 }
 
