@@ -79,8 +79,7 @@ std::optional<std::vector<Values>> values_of_frames(const Scene& scene) {
         }
     }
     // Neighbouring groups with the same values are searched once.
-    const auto same = std::ranges::unique(all);
-    all.erase(same.begin(), same.end());
+    all.erase(std::unique(all.begin(), all.end()), all.end());
     return all;
 }
 

@@ -158,7 +158,7 @@ NodeId with_blends_in_pieces(Graph& graph, const Motion& motion, std::vector<Nar
         graph, graph, std::array{motion.field}, [&](Graph& to, const Node&, NodeId rebuilt) {
             const auto blend = to[rebuilt].arrays == 0 ? as_blend(to, rebuilt) : std::nullopt;
             if (!blend || !is_above_0(to, blend->k.node, motion)) return rebuilt;
-            const auto& [a, b, k] = *blend;
+            const formula::Term a = blend->a, b = blend->b, k = blend->k;
             const auto by = [&](formula::Term part) {
                 return b + part * (a - b) - k * (part * (1.0 - part));
             };
