@@ -4,8 +4,8 @@
 // floor and sign jump at single numbers. An argument that is such a number over some region, as
 // floor(x)/2 and x*max(0, y) are, would seem to jump all over the region if it were rounded
 // outwards, and so would one that has its end there at the region's border. Rounding errors are
-// computed without rounding (Knuth's sum, Dekker's product). They are told from 0 where drivers
-// flush subnormal numbers, as the results are at least 2^-60 and operands are 0 or normal.
+// computed without rounding (Knuth's sum, Dekker's product). Drivers may flush subnormal numbers to
+// 0, but an error that isn't 0 is a normal number where the result is at least 2^-60.
 
 #define IM_TOLD 8.67361738e-19 // 2^-60
 #define IM_SPLIT 1.0e15        // numbers up to this are split without overflow

@@ -25,4 +25,4 @@
 #define IM_ROUNDING 8.94069672e-8       // 1.5 * 2^-24
 #define IM_DRIVER_ERROR 4.76837158e-7   // of quotients and roots: 2^-21
 #define IM_MOST_DIVISOR 4.25352959e37   // 2^125
-#define IM_SPLITTER 4097.0    // 2^12 + 1
+#define IM_SPLITTER 4097.0              // 2^12 + 1

@@ -27,4 +27,4 @@
 #define IM_ROUNDING packDouble2x32(uvec2(0u, 0x3ca80000u))     // 1.5 * 2^-53
 #define IM_DRIVER_ERROR packDouble2x32(uvec2(0u, 0x3cd00000u)) // of quotients and roots: 2^-50
 #define IM_MOST_DIVISOR packDouble2x32(uvec2(0u, 0x7fc00000u)) // 2^1021
-#define IM_SPLITTER 134217729.0LF    // 2^27 + 1
+#define IM_SPLITTER 134217729.0LF                              // 2^27 + 1

@@ -86,13 +86,13 @@ std::string summary(const sequence::ExportTotals& totals, Seconds wall) {
 
 void warn(const std::string& text) { message("warning: {}\n", text); }
 
-// Of frames for which no bounds were looked for: empty if there are none.
+// Warns of frames for which no bounds were looked for; empty if there are none.
 std::string bounds_beyond(const sequence::Exporter& exporter) {
     const scene::Scene& scene = exporter.scene();
     const int last = std::ranges::max(exporter.options().frames);
     if (!scene::are_bounds_found(scene) || last <= scene.timeline.frames) return "";
-    return fmt::format("frames beyond {0} are cut by the bounds of frames 1 to {0}; --set "
-                       "time.frames={1} finds bounds for all",
+    return fmt::format("frames beyond {0} may be cut: bounds were found for frames 1 to {0}; --set "
+                       "time.frames={1} finds them for all",
                        scene.timeline.frames, last);
 }
 

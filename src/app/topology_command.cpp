@@ -84,8 +84,8 @@ void check_grid(const TopologyArguments& arguments) {
     }
 }
 
-// The settings, with so many frames that bounds are found for all that are searched, if they have
-// to be found.
+// The settings. If bounds have to be found, the scene gets as many frames as are searched, since
+// bounds are found for the scene's frames.
 std::vector<scene::Override> settings_of(const TopologyArguments& arguments,
                                          const scene::Scene& scene) {
     std::vector<scene::Override> settings = arguments.settings;

@@ -107,8 +107,8 @@ formula = "(x - 2)^2 + y^2 + (z - h)^2 - 0.5"
     }
     const Ending drawn = run({"render", "(x - a)^2 + y^2 + z^2 = 1", "--set", "a=t", "--frames",
                               "150", "--size", "8x8", "-o", "ball.png"});
-    EXPECT_THAT(drawn.err, HasSubstr("frames beyond 120 are cut by the bounds of frames 1 to 120; "
-                                     "--set time.frames=150 finds bounds for all"));
+    EXPECT_THAT(drawn.err, HasSubstr("frames beyond 120 may be cut: bounds were found for frames 1 "
+                                     "to 120; --set time.frames=150 finds them for all"));
 }
 
 TEST_F(Topology, WithoutADriverThePlotHasNoPictures) {

@@ -100,22 +100,27 @@ INSTANTIATE_TEST_SUITE_P(
         along_the_axis("root of a difference", "exp(sqrt(x - y)) - 1.5 - z", 700, 4600)),
     test_name);
 
-// Angles about an axis, seen near to it, where F turns faster than any step is long.
-HardCase about_an_axis(const std::string& name, const std::string& formula, double zoom) {
-    return {fmt::format("{} at zoom {}", name, zoom),
+HardCase seen_from(const std::string& name, const std::string& formula, double azimuth,
+                   double elevation, double zoom) {
+    return {name,
             fmt::format(R"(
 [surface]
 formula = "{}"
 bounds = {{ sphere = 1.5 }}
 [camera]
-azimuth = 90
-elevation = 45
+azimuth = {}
+elevation = {}
 zoom = {}
 [output]
 size = [96, 96]
 )",
-                        formula, zoom),
+                        formula, azimuth, elevation, zoom),
             {}};
+}
+
+// Angles about an axis, seen near to it, where F turns faster than any step is long.
+HardCase about_an_axis(const std::string& name, const std::string& formula, double zoom) {
+    return seen_from(fmt::format("{} at zoom {}", name, zoom), formula, 90, 45, zoom);
 }
 
 const std::string turning_quotient = "(x^2 - y^2)/(x^2 + y^2) - z",
@@ -133,19 +138,7 @@ INSTANTIATE_TEST_SUITE_P(Angles, NonSmooth,
 // Arguments of floor and sign that are the number at which it jumps, all over some regions
 // (shaders/interval/exact.glsl).
 HardCase in_rows(const std::string& name, const std::string& formula) {
-    return {name,
-            fmt::format(R"(
-[surface]
-formula = "{}"
-bounds = {{ sphere = 1.5 }}
-[camera]
-azimuth = 30
-elevation = 35
-[output]
-size = [96, 96]
-)",
-                        formula),
-            {}};
+    return seen_from(name, formula, 30, 35, 1);
 }
 
 INSTANTIATE_TEST_SUITE_P(

@@ -100,7 +100,7 @@ public:
     NodeId least(int array, NodeId key) { return over_elements(Op::least, array, key); }
     NodeId pick(int array, NodeId key, NodeId value);
     NodeId which(int array, NodeId key) { return over_elements(Op::which, array, key); }
-    // a^n by products; x^2, x^4 and x^6 of one formula share theirs.
+    // a^n as a product of squares; x^2, x^4 and x^6 of one formula share them.
     NodeId integer_power(NodeId a, int n);
     // The largest base of the n-th power, if that is cut off: max(-reach, min(reach, a))^n.
     static std::optional<double> reach(int n);
