@@ -39,7 +39,8 @@ public:
         : region_(region)
         , plane_(plane)
         , how_(how) {
-        add(BoxKey{}, region.box());
+        const BoxKey whole;
+        add({&whole, 1});
     }
 
     Sides sides(const std::array<SpacePoint, 2>& starts) {
@@ -113,36 +114,36 @@ private:
                                    [&](int at) { return at == 0 || at + 1 == 1 << key.level; });
     }
 
-    void add(const BoxKey& key, const SpaceBox& where) {
-        numbers_.emplace(key.packed(), boxes_.size());
-        boxes_.push_back({key, where});
-        marks_.emplace_back();
-        about_.emplace_back();
+    // Adds boxes, each judged: one that is not judged leads nowhere, and would seem to separate the
+    // sides. All at once, since evaluating many boxes together costs less than one after the other.
+    void add(std::span<const BoxKey> keys) {
+        std::vector<SpaceBox> boxes, middles;
+        for (const BoxKey& key : keys) {
+            boxes.push_back(where(key));
+            middles.push_back(point_box(middle(boxes.back())));
+        }
+        const std::vector<Interval> values = narrow_values(keys, boxes, middles);
+        for (std::size_t k = 0; k < boxes.size(); ++k) {
+            numbers_.emplace(keys[k].packed(), boxes_.size());
+            const One one = judged(keys[k], boxes[k], values[k]);
+            boxes_.push_back(one);
+            marks_.push_back({one.state == State::in, one.is_parted});
+            about_.emplace_back();
+        }
     }
 
-    // All at once: evaluating many boxes together costs less than one after the other.
     void divide(const std::vector<std::size_t>& numbers) {
         for (const std::size_t number : numbers) {
             for (const std::size_t other : about(number)) about_[other].reset();
             about_[number].reset();
         }
         std::vector<BoxKey> keys;
-        std::vector<SpaceBox> boxes, middles;
         for (const std::size_t number : numbers) {
             // A way may hold both halves of a parted box.
             if (std::exchange(boxes_[number].is_divided, true)) continue;
-            for (int k = 0; k < 8; ++k) {
-                keys.push_back(boxes_[number].key.part(k));
-                boxes.push_back(where(keys.back()));
-                middles.push_back(point_box(middle(boxes.back())));
-            }
+            for (int k = 0; k < 8; ++k) keys.push_back(boxes_[number].key.part(k));
         }
-        const std::vector<Interval> values = narrow_values(keys, boxes, middles);
-        for (std::size_t k = 0; k < boxes.size(); ++k) {
-            add(keys[k], boxes[k]);
-            judge(boxes_.back(), values[k]);
-            marks_.back() = {boxes_.back().state == State::in, boxes_.back().is_parted};
-        }
+        add(keys);
     }
 
     // Encloses H over boxes, those better whose sign is not known at once: by its gradient, then by
@@ -196,8 +197,9 @@ private:
                ++tightened.skipped % one_of == 0;
     }
 
-    // Judges a box by an enclosure of H over it.
-    void judge(One& one, const Interval& value) const {
+    // By an enclosure of H over the box.
+    One judged(const BoxKey& key, const SpaceBox& where, const Interval& value) const {
+        One one{.key = key, .where = where};
         one.state = value.hi < 0 ? State::in : value.lo > 0 ? State::out : State::open;
         // A solid ends at the bounds; what is beyond them is the outside.
         if (region_.is_all_outside(one.where)) one.state = State::out;
@@ -210,6 +212,7 @@ private:
             one.leaves = reaches_end(one.key) || region_.has_corner_outside(one.where);
         }
         one.is_parted = !plane_.is_wall && is_around && plane_.side(one.where) == 0;
+        return one;
     }
 
     // The undivided boxes beside those of one, kept until one of them is divided.
