@@ -1,9 +1,11 @@
 #include "animation/rules.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "formula/graph/parser.h"
 #include "formula/graph/substitute.h"
+#include "formula/interval/double_double.h"
 
 namespace isomotion::animation {
 namespace {
@@ -23,6 +25,17 @@ std::map<double, bool> knots_of(const Keys& keys) {
 NodeId part_of_time(formula::Graph& g, NodeId time, double from, double to) {
     const NodeId length = g.subtract(g.constant(to), g.constant(from));
     return g.divide(g.subtract(time, g.constant(from)), length);
+}
+
+// from + part (to - from), which is exactly `to` where the part is 1: a difference that is rounded
+// would leave a gap between this rule and the next, and a value in the gap would be reached by
+// neither. So the difference is taken in two parts, of which the second is mostly 0.
+NodeId between(formula::Graph& g, double from, double to, NodeId part) {
+    const formula::DoubleDouble<double> way = formula::exact_sum(to, -from);
+    NodeId moved = g.multiply(g.constant(way.hi), part);
+    if (way.lo != 0 && std::isfinite(way.lo))
+        moved = g.add(moved, g.multiply(g.constant(way.lo), part));
+    return g.add(g.constant(from), moved);
 }
 
 } // namespace
@@ -174,11 +187,9 @@ NodeId Rules::rule(const Keys& keys) {
     if (keys.ease == Ease::hold) return g.constant(a.value);
     const NodeId length = g.subtract(g.constant(b.time), g.constant(a.time));
     const NodeId u = part_of_time(g, time_, a.time, b.time);
-    const NodeId from = g.constant(a.value), to = g.constant(b.value);
-    const NodeId way = g.subtract(to, from);
-    if (keys.ease == Ease::linear) return g.add(from, g.multiply(way, u));
-    const NodeId smooth = smooth_way(g, time_, a.time, b.time);
-    const NodeId rest_to_rest = g.add(from, g.multiply(way, smooth));
+    const auto at_part = [&](NodeId part) { return between(g, a.value, b.value, part); };
+    if (keys.ease == Ease::linear) return at_part(u);
+    const NodeId rest_to_rest = at_part(smooth_way(g, time_, a.time, b.time));
     if (keys.ease == Ease::smooth) return rest_to_rest;
     // Hermite's basis: velocities at the ends on top of what rests there.
     const NodeId v = g.subtract(g.constant(1), u);

@@ -24,6 +24,7 @@
 #include "image/frame.h"
 #include "scene/error.h"
 #include "sequence/movies/movie.h"
+#include "topology/classify/recount.h"
 
 namespace isomotion::app {
 namespace {
@@ -104,6 +105,12 @@ int run_command(int argc, char** argv) {
         return report(exit_usage, error);
     } catch (const std::length_error& error) { // a sum too long for a shader
         return report(exit_usage, error);
+    } catch (const topology::Contradiction& error) {
+        message("isomotion contradicts itself: {}\nThis is a fault of the program, and nothing is "
+                "claimed. Please report it, with the scene and what `isomotion doctor --json` "
+                "prints.\n",
+                error.what());
+        return exit_machine;
     } catch (const gpu::Unavailable& error) {
         return report(exit_machine, error);
     } catch (const base::FileError& error) {

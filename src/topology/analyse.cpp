@@ -9,6 +9,7 @@
 
 #include "base/workers.h"
 #include "topology/betti/frame_signs.h"
+#include "topology/classify/recount.h"
 #include "topology/field/common_solid.h"
 #include "topology/moving_scene.h"
 #include "topology/sampling.h"
@@ -121,9 +122,52 @@ Timeline seeded(const scene::Scene& scene, Side side, const AnalyseOptions& how,
     return timeline;
 }
 
+// Counts signs at a time on a grid of so many vertices a side.
+using CountSigns = std::function<std::optional<Betti>(double time, int grid)>;
+
+CountSigns signs_of(const scene::Scene& scene, Side side, const SerialCallbacks& callbacks) {
+    const auto signs =
+        std::make_shared<const FrameSigns>(*scene.surface.field, scene.timeline.animation.counts());
+    return [&scene, side, &callbacks, signs](double time, int grid) -> std::optional<Betti> {
+        Work work([&] { return callbacks.stopped(); });
+        const auto found =
+            signs->at(scene::at(scene, scene.timeline.animation.at(time)), side, grid, 1, work);
+        return found ? std::optional(betti(*found)) : std::nullopt;
+    };
+}
+
+// What two surfaces have in common has no scene of its own, and its formula may differ from one
+// piece of the motion to the next.
+CountSigns signs_of(const MovingScene& frames) {
+    return [&frames](double time, int grid) {
+        const MovingScene::Still still = frames.at(time);
+        return std::optional(betti(frame_signs(still.formula, still.bounds, grid)));
+    };
+}
+
+// Most frames that grids are too coarse for are close to events, where proofs fail late.
+constexpr int most_boxes_of_recount = 200'000;
+constexpr std::size_t most_cells_of_recount = 20'000;
+
+void count_again(Timeline& timeline, const MovingScene& frames, const CountSigns& signs,
+                 const AnalyseOptions& how, const SerialCallbacks& callbacks) {
+    callbacks.show("second opinion", 0);
+    FrameLimits limits{.stopped = [&] { return callbacks.stopped(); }};
+    limits.boxes = most_boxes_of_recount;
+    limits.cells = most_cells_of_recount;
+    Recounting counting;
+    counting.signs = signs;
+    counting.frame = [&](double time) { return frames.certify(time, limits).betti; };
+    counting.threads = threads_of(how);
+    counting.stopped = limits.stopped;
+    counting.progress = [&](double part) { callbacks.show("second opinion", part); };
+    timeline.recount = recount(timeline, counting);
+}
+
 // Adds to events, of which no kinds are known, all else that can be proved. `motions`: by time.
+// Signs that the scene's own field has may be found faster than those of the motions' formula.
 Timeline proved(Timeline timeline, const Motions& motions, const AnalyseOptions& how,
-                Interval range, const SerialCallbacks& callbacks) {
+                Interval range, const SerialCallbacks& callbacks, CountSigns signs = {}) {
     const MovingScene frames(motions);
     const FrameLimits limits{.stopped = [&] { return callbacks.stopped(); }};
     struct {
@@ -182,6 +226,8 @@ Timeline proved(Timeline timeline, const Motions& motions, const AnalyseOptions&
         confirming.stopped = limits.stopped;
         prove_again(timeline, ArbVerifier(motions), confirming);
     }
+    if (!callbacks.stopped())
+        count_again(timeline, frames, signs ? signs : signs_of(frames), how, callbacks);
     if (callbacks.stopped()) {
         if (!is_late) timeline.doubts.emplace_back("interrupted while kinds were proved");
         timeline.is_proved = false;
@@ -212,7 +258,8 @@ Timeline analyse(const scene::Scene& scene, const AnalyseOptions& how) {
     if (how.certify == Certify::fast) return seeded(scene, side, how, how.first, last, callbacks);
     const Interval range{scene.timeline.time(how.first), scene.timeline.time(last)};
     return proved(find_events(scene, side, range, event_search(how, callbacks)),
-                  motions(scene, side, range, Clock::time), how, range, callbacks);
+                  motions(scene, side, range, Clock::time), how, range, callbacks,
+                  signs_of(scene, side, callbacks));
 }
 
 Timeline analyse_contact(const scene::Scene& first, const scene::Scene& second,

@@ -30,6 +30,8 @@ MovingScene::Still MovingScene::at(Interval time) const {
 }
 
 CertifiedFrame MovingScene::certify(double time, const FrameLimits& limits) const {
+    if (!(pieces_.front().clock().lo <= time && time <= pieces_.back().clock().hi))
+        return {.betti = {}, .why = "the time is outside of the range", .where = {}};
     const Still frame = at(time);
     return certify_frame(frame.formula, frame.bounds, limits);
 }

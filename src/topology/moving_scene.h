@@ -24,6 +24,7 @@ public:
     // values are those after a jump, as drawn.
     Still at(formula::Interval time) const;
 
+    // Fails outside of the range.
     CertifiedFrame certify(double time, const FrameLimits& limits = {}) const;
     // Proofs for the kinds of these events, ordered by time. The proofs keep a reference to this
     // scene.

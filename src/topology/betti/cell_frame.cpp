@@ -206,17 +206,16 @@ CertifiedFrame certify_by_cells(const SpaceFormula& formula, const scene::Bounds
                                 const FrameLimits& limits) {
     SolidInCells solid(formula, bounds);
     CellComplex complex([&](const CellKey& key) { return solid.fact(key); });
-    const auto count = [&](std::size_t most) {
+    std::size_t most = 0;
+    const auto count = [&](std::size_t cells) {
+        most = std::min(cells, limits.cells);
         return complex.betti({.cells = most, .stopped = limits.stopped});
     };
     const auto has_other_proof = [&] { return !solid.has_kinks() && !solid.may_reach_sphere(); };
-    std::size_t most = solid.has_kinks() ? most_cells_without_other_proof : most_cells;
     CertifiedFrame frame;
-    frame.betti = count(most);
-    if (!frame.betti && complex.known() > most && !has_other_proof()) {
-        most = most_cells_without_other_proof;
-        frame.betti = count(most);
-    }
+    frame.betti = count(solid.has_kinks() ? most_cells_without_other_proof : most_cells);
+    if (!frame.betti && complex.known() > most && !has_other_proof())
+        frame.betti = count(most_cells_without_other_proof);
     frame.depth = complex.depth();
     frame.boxes = int(complex.known());
     frame.is_by_cells = true;

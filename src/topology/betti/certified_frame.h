@@ -39,6 +39,7 @@ struct CertifiedFrame {
 struct FrameLimits {
     int depth = 14; // at most 14
     int boxes = 4'000'000;
+    std::size_t cells = std::size_t(-1); // at most, and no more than cells take anyway
     std::function<bool()> stopped{}; // called often; once it returns true nothing is proved
 };
 

@@ -8,6 +8,7 @@
 #include "formula/enclosure.h"
 #include "formula/evaluate/evaluate.h"
 #include "scene/near_elements.h"
+#include "topology/field/space_point.h"
 
 namespace isomotion::topology {
 
@@ -74,6 +75,21 @@ struct Block {
     std::array<int, 3> first, last;
 };
 
+// Where the grid's vertices are along each axis.
+std::array<std::vector<double>, 3> places_of(const scene::BoundsAt& bounds, int side) {
+    std::array<std::vector<double>, 3> at;
+    for (std::size_t i = 0; i < 3; ++i) {
+        const double low = bounds.min[int(i)], high = bounds.max[int(i)];
+        for (int k = 0; k < side; ++k) at[i].push_back(low + double(k) / (side - 1) * (high - low));
+    }
+    return at;
+}
+
+bool is_within(const scene::BoundsAt& bounds, const glm::dvec3& p) {
+    return bounds.shape == scene::Bounds::Shape::box ||
+           glm::distance(p, bounds.centre) <= bounds.radius;
+}
+
 // One thread's work: a layer of blocks, `whole` vertices high. For most blocks an enclosure tells
 // the sign at all of their vertices; in the others these are evaluated.
 class BlockSigns {
@@ -85,13 +101,9 @@ public:
         , bounds_(bounds)
         , solid_(solid)
         , grid_(grid)
-        , work_(work) {
+        , work_(work)
+        , at_(places_of(bounds, grid.side())) {
         if (frame.by_place) boxes_.emplace(frame.by_place->programs().value, *frame.by_place);
-        for (std::size_t i = 0; i < 3; ++i) {
-            const double low = bounds.min[int(i)], high = bounds.max[int(i)];
-            for (int k = 0; k < grid.side(); ++k)
-                at_[i].push_back(low + double(k) / (grid.side() - 1) * (high - low));
-        }
     }
 
     void make(int layer) {
@@ -136,9 +148,8 @@ private:
     }
 
     bool is_inside(int x, int y, int z) const {
-        const glm::dvec3 p{at_[0][std::size_t(x)], at_[1][std::size_t(y)], at_[2][std::size_t(z)]};
-        return bounds_.shape == scene::Bounds::Shape::box ||
-               glm::distance(p, bounds_.centre) <= bounds_.radius;
+        return is_within(bounds_,
+                         {at_[0][std::size_t(x)], at_[1][std::size_t(y)], at_[2][std::size_t(z)]});
     }
 
     // The blocks with vertices on both sides, as far as is known.
@@ -222,8 +233,8 @@ private:
     Side solid_;
     SignGrid& grid_;
     Work& work_;
+    const std::array<std::vector<double>, 3> at_;
     std::optional<elements::BoxesByPlace> boxes_;
-    std::array<std::vector<double>, 3> at_; // coordinates of vertices
 };
 
 } // namespace
@@ -304,6 +315,27 @@ SignGrid frame_signs(const formula::Field& field, const formula::Bindings<double
                      const scene::BoundsAt& bounds, Side solid, int side, int threads) {
     Work unlimited;
     return *FrameSigns(field).at(bindings, bounds, solid, side, threads, unlimited);
+}
+
+SignGrid frame_signs(const SpaceFormula& formula, const scene::BoundsAt& bounds, int side) {
+    FrameField field(formula);
+    const auto at = places_of(bounds, side);
+    SignGrid grid(side);
+    std::vector<SpaceBox> row(std::size_t(side), SpaceBox{});
+    std::vector<formula::Interval> values(row.size());
+    for (int z = 0; z < side; ++z) {
+        for (int y = 0; y < side; ++y) {
+            for (std::size_t x = 0; x < row.size(); ++x)
+                row[x] = {at[0][x], at[1][std::size_t(y)], at[2][std::size_t(z)]};
+            field.values(field.everything(), row, values);
+            for (int x = 0; x < side; ++x) {
+                const SpacePoint p = middle(row[std::size_t(x)]);
+                if (values[std::size_t(x)].hi < 0 && is_within(bounds, {p[0], p[1], p[2]}))
+                    grid.set(x, y, z);
+            }
+        }
+    }
+    return grid;
 }
 
 } // namespace isomotion::topology

@@ -13,6 +13,7 @@
 #include "elements/field_by_place.h"
 #include "scene/scene_at.h"
 #include "topology/betti/sign_grid.h"
+#include "topology/field/frame_field.h"
 #include "topology/field/solid.h"
 
 namespace isomotion::topology {
@@ -41,6 +42,10 @@ private:
 // as many as the machine runs at once.
 SignGrid frame_signs(const formula::Field& field, const formula::Bindings<double>& bindings,
                      const scene::BoundsAt& bounds, Side solid, int side, int threads = 0);
+
+// The same of a formula that is no scene's, in intervals, vertex by vertex: slow where it has many
+// elements. A vertex whose sign is not certain is not solid.
+SignGrid frame_signs(const SpaceFormula& formula, const scene::BoundsAt& bounds, int side);
 
 struct SignEvaluators;
 

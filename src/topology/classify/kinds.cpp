@@ -238,7 +238,10 @@ void prove_ends(Timeline& timeline, const KindProofs& proofs) {
     };
     for (const Event& event : timeline.events) add(event.time);
     for (const Unresolved& place : timeline.unresolved) add(place.time);
-    const auto prove = [&](double end, double quiet, std::optional<Betti>& betti, bool& is_proved) {
+    // Enclosures of what happens at an end reach beyond it, where no rule of the motion holds.
+    const auto prove = [&](double end, double beside, std::optional<Betti>& betti,
+                           bool& is_proved) {
+        const double quiet = std::clamp(beside, timeline.range.lo, timeline.range.hi);
         for (const double part : {0.5, 0.2, 0.8}) {
             if (is_proved || end == quiet || (proofs.stopped && proofs.stopped())) return;
             const auto found = proofs.frame(end + part * (quiet - end));
@@ -417,7 +420,7 @@ void check(Timeline& timeline) {
     int euler = 0;
     Betti sum{};
     bool all_known = true;
-    for (const Event& event : timeline.events) {
+    for (Event& event : timeline.events) {
         const std::vector<Kind> kinds = kinds_of(event.index, event.grows);
         if (event.kind == Kind::none || kinds.empty()) continue;
         euler += euler_change(event);
@@ -429,9 +432,10 @@ void check(Timeline& timeline) {
             doubt(fmt::format("the event at {} s is no {}: index {}", mid(event.time),
                               name(event.kind), event.index));
         }
-        for (const auto& betti : {event.before, event.after}) {
-            if (betti && !betti->is_possible())
-                doubt(fmt::format("Betti numbers {} at {} s", text(*betti), mid(event.time)));
+        for (std::optional<Betti>* betti : {&event.before, &event.after}) {
+            if (!*betti || (*betti)->is_possible()) continue;
+            doubt(fmt::format("Betti numbers {} at {} s", text(**betti), mid(event.time)));
+            betti->reset();
         }
     }
     for (std::size_t k = 1; k < timeline.events.size(); ++k) {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "animation/rules.h"
 #include "formula/graph/continuity.h"
@@ -194,7 +195,12 @@ std::optional<MonotoneTrack::Time> MonotoneTrack::settled(const Piece& piece, In
 std::vector<MonotoneTrack::Time> MonotoneTrack::times(Interval value) const {
     std::vector<Time> found;
     for (const Piece& piece : pieces_) {
-        std::vector<Interval> open{piece.range};
+        // At a key a rule has the key's value but for the rounding of the time between keys: so
+        // what one rule comes to just beyond its end, the next may have begun with.
+        const double doubt = 4 * std::numeric_limits<double>::epsilon() * magnitude(piece.range);
+        const Interval with_ends =
+            intersect({piece.range.lo - doubt, piece.range.hi + doubt}, range_);
+        std::vector<Interval> open{with_ends};
         while (!open.empty()) {
             std::vector<Interval> halves;
             const bool are_too_many = open.size() > most_open;

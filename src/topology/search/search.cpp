@@ -539,6 +539,7 @@ void put_in_order(std::vector<CriticalPoint>& points) {
 void put_together(SearchResult& all) {
     put_in_order(all.points);
     std::vector<CriticalPoint> points;
+    std::vector<Box> one_or_two; // boxes of roots that may be one
     for (const CriticalPoint& point : all.points) {
         const bool is_new =
             std::none_of(points.begin(), points.end(), [&](const CriticalPoint& known) {
@@ -546,7 +547,7 @@ void put_together(SearchResult& all) {
                 if (contains(known.alone, point.where) || contains(point.alone, known.where)) {
                     return true;
                 }
-                all.unresolved.push_back(point.where);
+                one_or_two.push_back(point.where);
                 return false;
             });
         if (is_new) points.push_back(point);
@@ -556,6 +557,7 @@ void put_together(SearchResult& all) {
         return std::any_of(all.points.begin(), all.points.end(),
                            [&](const auto& point) { return contains(point.alone, box); });
     });
+    all.unresolved.insert(all.unresolved.end(), one_or_two.begin(), one_or_two.end());
 }
 
 std::vector<Box> merged(std::vector<Box> boxes, const Box& domain, double gap) {

@@ -11,7 +11,11 @@ struct Betti {
     int voids = 0;      // b2
 
     int euler() const { return components - tunnels + voids; }
-    bool is_possible() const { return components >= 0 && tunnels >= 0 && voids >= 0; }
+    // No number is negative, and nothing has no tunnels and no voids.
+    bool is_possible() const {
+        return components >= 0 && tunnels >= 0 && voids >= 0 &&
+               (components > 0 || (tunnels == 0 && voids == 0));
+    }
     auto operator<=>(const Betti&) const = default;
 };
 

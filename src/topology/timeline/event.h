@@ -85,6 +85,15 @@ struct Unresolved {
     bool operator==(const Unresolved&) const = default;
 };
 
+// How many spans between events were counted again, at one time each, by a way that shares no code
+// with the one that told their numbers (classify/recount.h).
+struct Recount {
+    int spans = 0;
+    int agree = 0; // the others are finer than any grid that was asked, and had no proof
+
+    bool operator==(const Recount&) const = default;
+};
+
 // Everything known of an animation from one time to another.
 struct Timeline {
     formula::Interval range;            // of time, seconds
@@ -93,6 +102,7 @@ struct Timeline {
     std::optional<Betti> start, end;    // of the solid
     bool start_is_proved = false, end_is_proved = false;
     bool is_proved = false; // no event is missing; each event states whether it is proved itself
+    Recount recount{};
     std::vector<std::string> doubts; // failed consistency checks and interruptions, in words
     // Whether everything is proved: no event is missing, each is proved and its kind known, both
     // ends are proved, and there are no doubts.

@@ -32,6 +32,15 @@ std::string proved_again(const Timeline& timeline) {
                : fmt::format("\n{} of {} events proved again in ball arithmetic", number, all);
 }
 
+// A line of its own; empty if there is nothing to tell.
+std::string counted_again(const Recount& recount) {
+    if (recount.spans == 0) return "";
+    if (recount.agree == recount.spans) return "\nBetti numbers counted again between all events";
+    return fmt::format("\nBetti numbers counted again in {} of {} spans between events; the others "
+                       "are too short, or too fine for grids",
+                       recount.agree, recount.spans);
+}
+
 } // namespace
 
 std::string tally(const Timeline& timeline) {
@@ -72,6 +81,7 @@ std::string summary(const TimelineRecord& record) {
     }
     const auto reasons = gaps(timeline, fps);
     text += proved_again(timeline);
+    text += counted_again(timeline.recount);
     if (reasons.empty()) return text + "\ncomplete, all proved\n";
     text += "\nINCOMPLETE\n";
     for (const std::string& reason : reasons) text += fmt::format("    {}\n", reason);

@@ -1,0 +1,38 @@
+// Counts the Betti numbers between events again.
+//
+// The numbers follow from the kinds of the events, and kinds from paths, boxes and sums. A fault in
+// any of these gives numbers that look proved. So each span between two events is counted again at
+// one time, by a way that shares no code with those: by signs of F at the vertices of a grid. A
+// grid misses what is finer than its cells. So numbers that differ prove nothing. Where
+// grids of three sizes tell the same, and not what the events do, a proof of that one frame decides.
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <stdexcept>
+
+#include "topology/timeline/event.h"
+
+namespace isomotion::topology {
+
+// Two proofs exclude each other. This is a fault of the program, and neither may be believed.
+class Contradiction : public std::runtime_error {
+public:
+    using std::runtime_error::runtime_error;
+};
+
+struct Recounting {
+    // Counts signs on a grid with so many vertices along each side. Any thread may call it.
+    std::function<std::optional<Betti>(double time, int side)> signs{};
+    // Proves the numbers of one frame, or fails. Any thread may call it.
+    std::function<std::optional<Betti>(double time)> frame{};
+    int threads = 1;
+    std::function<bool()> stopped{};
+    std::function<void(double part)> progress{};
+};
+
+// Takes a timeline whose kinds are found. Counts each span whose numbers it has proved, and throws
+// Contradiction where a proof of a frame has others.
+Recount recount(const Timeline& timeline, const Recounting& how);
+
+} // namespace isomotion::topology

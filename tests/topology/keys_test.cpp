@@ -1,0 +1,67 @@
+// Events at keys of a motion, where one rule ends and the next begins.
+#include <cmath>
+#include <random>
+
+#include <gtest/gtest.h>
+
+#include "thorough.h"
+#include "topology/analyse.h"
+#include "topology/scenes.h"
+
+namespace isomotion::topology {
+namespace {
+
+// A ball dies and another one is born at the moment at which v falls through a level, which lies
+// next to a key's value. `through_time` adds a motion by time, so that v is no clock.
+scene::Scene two_balls(double first, double key, double last, double level, bool through_time) {
+    const std::string v = fmt::format("(v{} - {:.17g})", through_time ? " + w - w" : "", level);
+    return scene_of(fmt::format(
+        "[time]\nfps = 30\nframes = 61\n[parameters]\n"
+        "v = {{ keys = [[0, {:.17g}], [1, {:.17g}], [2, {:.17g}]] }}\nw = \"0.001*t\"\n[surface]\n"
+        "formula = \"min((x + 2)^2 + y^2 + z^2 - {}/{:.17g}, (x - 2)^2 + y^2 + z^2 + {})\"\n"
+        "bounds = {{ box = [[-4, -4, -4], [4, 4, 4]] }}\n",
+        first, key, last, v, first, v));
+}
+
+// The difference of the first two keys is rounded, and the level lies in the gap that this leaves.
+TEST(Keys, LeaveNoGapBetweenRules) {
+    const scene::Scene scene = two_balls(133.67, 0.3, -0.2, 0.3000000000000057, false);
+    const Timeline timeline = analyse(scene, {.solids = {Side::negative, std::nullopt}});
+    ASSERT_EQ(timeline.events.size(), 2u);
+    EXPECT_NE(timeline.events[0].kind, timeline.events[1].kind);
+    for (const Event& event : timeline.events) {
+        EXPECT_TRUE(event.kind == Kind::birth || event.kind == Kind::death);
+        EXPECT_NEAR(mid(event.time), 1, 1e-12);
+    }
+}
+
+TEST(Keys, AreNotSteppedOver) {
+    std::mt19937 random(7);
+    const auto number = [&](double low, double high) {
+        return low + (high - low) * double(random()) / 0x1p32;
+    };
+    for (int k = 0; k < trials(24, 200); ++k) {
+        const double first = std::pow(10, number(1, 9)), key = number(0.1, 0.9);
+        const double last = key - number(0.2, 2);
+        // What the first rule comes to if its way is rounded.
+        const double end = first + (key - first), level = key + number(0, 1) * (end - key);
+        SCOPED_TRACE(fmt::format("{:.17g} {:.17g} {:.17g} level {:.17g}", first, key, last, level));
+        const Timeline timeline = analyse(two_balls(first, key, last, level, k % 2 == 1),
+                                          {.solids = {Side::negative, std::nullopt}});
+        if (timeline.is_complete()) EXPECT_EQ(timeline.events.size(), 2u);
+    }
+}
+
+// An unresolved place at the first frame has an enclosure that begins before it, where no rule
+// holds.
+TEST(Keys, BeyondTheRangeTellNothing) {
+    const Timeline timeline = analyse(
+        scene_of("[time]\nfps = 30\nframes = 61\n[parameters]\na = \"t\"\nb = \"t^3\"\n[surface]\n"
+                 "formula = \"x^2 + y^2 + z^2 + a + b\"\n"
+                 "bounds = { box = [[-3, -3, -3], [3, 3, 3]] }\n"),
+        {.solids = {Side::negative, std::nullopt}});
+    EXPECT_FALSE(timeline.start_is_proved && timeline.start == (Betti{1, 0, 0}));
+}
+
+} // namespace
+} // namespace isomotion::topology
