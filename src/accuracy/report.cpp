@@ -160,6 +160,9 @@ std::string page(const Report& report, const fs::path& folder,
     return html + "</html>\n";
 }
 
+// Of the picture of the k-th measurement.
+std::string wrong_name(std::size_t k) { return fmt::format("wrong-{:02}.png", k + 1); }
+
 } // namespace
 
 std::string table(const Report& report) {
@@ -265,6 +268,13 @@ std::string json(const Report& report) {
     return root.dump(2) + "\n";
 }
 
+std::vector<std::string> files_written(std::size_t measurements) {
+    std::vector<std::string> names{"accuracy.csv", "accuracy.json", "accuracy.svg", "accuracy.png",
+                                   "index.html"};
+    for (std::size_t k = 0; k < measurements; ++k) names.push_back(wrong_name(k));
+    return names;
+}
+
 void write(const Report& report, const fs::path& folder) {
     fs::create_directories(folder);
     write_text(folder / "accuracy.csv", csv(report));
@@ -272,7 +282,7 @@ void write(const Report& report, const fs::path& folder) {
     std::vector<std::vector<std::byte>> pictures;
     for (std::size_t k = 0; k < report.measurements.size(); ++k) {
         pictures.push_back(wrong_picture(report, report.measurements[k].errors));
-        base::write_whole(folder / fmt::format("wrong-{:02}.png", k + 1), pictures.back());
+        base::write_whole(folder / wrong_name(k), pictures.back());
     }
     plot(report, folder);
     write_text(folder / "index.html", page(report, folder, pictures));

@@ -29,6 +29,9 @@ std::string table(const Report& report);
 std::string csv(const Report& report);
 std::string json(const Report& report);
 
+// The names of the files that write() writes for so many measurements.
+std::vector<std::string> files_written(std::size_t measurements);
+
 // Writes accuracy.csv, accuracy.json, wrong-NN.png for each setting, accuracy.svg and accuracy.png
 // (wrong pixels against time, by gnuplot) and index.html with all of these. Makes the folder.
 // Throws PlotError, base::FileError.

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <filesystem>
 #include <memory>
 #include <optional>
 #include <span>
@@ -66,6 +67,8 @@ public:
     // of its columns there.
     virtual std::string origin(std::size_t k) const = 0;
     virtual std::vector<std::string> names() const = 0;
+    // The files that the samples are read from.
+    virtual std::vector<std::filesystem::path> files() const = 0;
 
 protected:
     SampleSource() = default;

@@ -18,6 +18,7 @@ struct SampleRows {
     std::vector<std::optional<std::size_t>> velocities{}; // of each column; may be empty
     std::string origin{};                                 // for people
     std::vector<std::string> names{};                     // of the columns, for people
+    std::filesystem::path file{};                         // which holds them; empty: none
 };
 
 class SampleTable final : public SampleSource {
@@ -34,6 +35,10 @@ public:
     void add_rows(base::Fingerprint& print) const override;
     std::string origin(std::size_t) const override { return rows_.origin; }
     std::vector<std::string> names() const override { return rows_.names; }
+    std::vector<std::filesystem::path> files() const override {
+        if (rows_.file.empty()) return {};
+        return {rows_.file};
+    }
 
 private:
     std::size_t count(std::size_t k) const { return rows_.begin[k + 1] - rows_.begin[k]; }

@@ -10,6 +10,7 @@
 #include "animation/frame_range.h"
 #include "app/commands.h"
 #include "app/console.h"
+#include "app/inputs.h"
 #include "app/progress.h"
 #include "app/render_arguments.h"
 #include "scene/surfaces.h"
@@ -120,6 +121,11 @@ accuracy::Report measured(const AccuracyArguments& arguments) {
     measuring.cache = accuracy::truth_cache_folder();
     const auto settings =
         accuracy::sweep(scene, parse_methods(arguments.methods), parse_steps(arguments.steps));
+    if (!arguments.output.empty()) {
+        const Inputs inputs(scene);
+        for (const std::string& name : accuracy::files_written(settings.size()))
+            inputs.expect_apart("-o", std::filesystem::path(arguments.output) / name);
+    }
     const auto context = gpu::Context::create(gpu::parse_backend(arguments.backend));
     const synthesis::Stage stage = render::choose_stage(measuring.stage, context->info());
     Progress progress("measuring", 1000, arguments.quiet);

@@ -17,6 +17,7 @@
 #include "app/console.h"
 #include "app/help_text.h"
 #include "app/plain_words.h"
+#include "app/stop_on_signal.h"
 #include "base/file.h"
 #include "gpu/context.h"
 #include "gpu/error.h"
@@ -163,6 +164,7 @@ void check_amount(std::string_view option, std::optional<double> amount, std::st
 }
 
 int run(int argc, char** argv) {
+    end_on_signal();
     keep_standard_descriptors();
     // Writing beyond a limit of a file's size makes the write fail, and does not end the program.
     std::signal(SIGXFSZ, SIG_IGN);

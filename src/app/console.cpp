@@ -11,7 +11,7 @@
 #include <poll.h>
 #include <unistd.h>
 
-#include "base/printable.h"
+#include "base/printable_message.h"
 
 namespace isomotion::app {
 
@@ -43,7 +43,7 @@ int output_error = 0; // of the first result that could not be written
 void write_message(std::string_view text) {
     errno = 0;
     if (std::fflush(stdout) != 0 && !output_error) output_error = errno ? errno : EIO;
-    control_terminal(base::printable(text));
+    control_terminal(base::printable_message(text));
 }
 
 void control_terminal(std::string_view text) {

@@ -30,7 +30,7 @@ template<class... Parts> void print_result(fmt::format_string<Parts...> format, 
 void control_terminal(std::string_view text);
 
 // Writes a message to standard error, or drops it if that fails. Control characters in it have no
-// effect on a terminal, whoever wrote the text.
+// effect on a terminal, whoever wrote the text, and long texts are shortened in it.
 void write_message(std::string_view text);
 template<class... Parts> void message(fmt::format_string<Parts...> format, Parts&&... parts) {
     write_message(fmt::format(format, std::forward<Parts>(parts)...));

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cctype>
 #include <cerrno>
 #include <cstdlib>
 #include <filesystem>
@@ -10,6 +11,7 @@
 
 #include "app/commands.h"
 #include "app/console.h"
+#include "app/inputs.h"
 #include "app/progress.h"
 #include "app/render_arguments.h"
 #include "app/stop_on_signal.h"
@@ -126,6 +128,10 @@ std::string page_with_report_beside(const scene::Scene& scene, page::PageOptions
 int write_page(const PageArguments& arguments) {
     const scene::Scene scene = scene::load(arguments.scene, arguments.settings, arguments.reach);
     const fs::path file = file_of(arguments, scene);
+    Inputs inputs(scene);
+    inputs.add(fs::is_directory(arguments.report) ? arguments.report / fs::path("accuracy.json")
+                                                  : fs::path(arguments.report));
+    inputs.expect_apart("-o", file);
     page::PageOptions options;
     options.warn = [](const std::string& text) { message("warning: {}\n", text); };
     if (!arguments.report.empty()) options.report = arguments.report;
@@ -153,6 +159,12 @@ std::vector<std::byte> poster_of(gpu::Context& context, const scene::Scene& scen
                          image::Format::png8);
 }
 
+// File systems may take "Index" for "index".
+bool is_index(std::string name) {
+    std::ranges::transform(name, name.begin(), [](char c) { return char(std::tolower(c)); });
+    return name == "index";
+}
+
 int write_gallery(const PageArguments& arguments) {
     const fs::path folder = arguments.output.empty() ? "site" : arguments.output;
     fs::create_directories(folder);
@@ -168,8 +180,15 @@ int write_gallery(const PageArguments& arguments) {
     };
     for (const std::string& name : names) {
         progress.show(int(entries.size() + left_out.size()), name);
+        if (is_index(name)) {
+            leave_out(name, "its page would have the index's name; give its file another name");
+            continue;
+        }
         try {
             const scene::Scene scene = scene::load(name, {"output.size=[256,256]"});
+            const Inputs inputs(scene);
+            for (const char* extension : {".png", ".html"})
+                inputs.expect_apart("-o", folder / (name + extension));
             const std::string text = page::page(scene);
             base::write_whole(folder / (name + ".png"), poster_of(*context, scene));
             write(folder / (name + ".html"), text);

@@ -6,8 +6,10 @@
 #include "animation/frame_range.h"
 #include "app/commands.h"
 #include "app/console.h"
+#include "app/inputs.h"
 #include "player/player.h"
 #include "player/ui/window.h"
+#include "scene/reading/load.h"
 
 namespace isomotion::app {
 namespace {
@@ -20,7 +22,14 @@ player::PlayOptions with_frames(player::PlayOptions options, const std::string& 
     return options;
 }
 
+void expect_log_apart(const player::PlayOptions& options) {
+    if (options.log.empty() || options.scene.empty()) return;
+    Inputs(scene::load(options.scene, options.overrides, options.reach))
+        .expect_apart("--log", options.log);
+}
+
 int play_in_window(const player::PlayOptions& options) {
+    expect_log_apart(options);
     try {
         player::play(options);
         return exit_done;

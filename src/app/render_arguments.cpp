@@ -10,6 +10,7 @@
 
 #include "animation/frame_range.h"
 #include "app/commands.h"
+#include "app/inputs.h"
 #include "base/extension.h"
 #include "scene/limits.h"
 #include "scene/method.h"
@@ -215,11 +216,16 @@ sequence::Exporter exporter_of(const RenderArguments& arguments) {
     options.stage = render::parse_stage(arguments.stage);
     options.channels = parse_channels(arguments.channels);
     options.frames = frames_of(arguments, scene);
+    if (!arguments.part_of.empty())
+        options.part_of = animation::parse_frame_range(arguments.part_of);
     options.output = output_of(arguments, scene);
     options.bits = arguments.bits;
     options.audit = audit_of(arguments.audit);
     options.resume = arguments.resume;
     options.movies.assign(arguments.movies.begin(), arguments.movies.end());
+    const Inputs inputs(scene);
+    inputs.expect_apart("-o", sequence::SequenceName::parse(options.output));
+    for (const std::string& movie : arguments.movies) inputs.expect_apart("--movie", movie);
     try {
         return {std::move(scene), std::move(options)};
     } catch (const sequence::OptionError& error) {

@@ -18,7 +18,7 @@ class Option;
 namespace isomotion::app {
 
 struct RenderArguments {
-    std::string scene, output, frames, size, method, backend = "auto", channels;
+    std::string scene, output, frames, part_of, size, method, backend = "auto", channels;
     std::vector<std::string> movies;
     std::string stage = "fragment";
     std::string step, audit = "auto";

@@ -203,6 +203,9 @@ void add_render(CLI::App& app, Action& chosen) {
     CLI::App* command = app.add_subcommand("render", "render frames of a scene into image files");
     add_sequence_options(*command, a);
     add_picture_options(*command, a);
+    command->add_option("--part-of", a.part_of,
+                        "all frames of the sequence that --frames are a part of, for its manifest: "
+                        "verify misses those that nobody rendered (default: --frames)");
     command->callback([arguments, &chosen] {
         chosen = [arguments] { return render(with_movie_apart(*arguments)); };
     });

@@ -12,6 +12,7 @@
 #include "app/render_arguments.h"
 #include "base/extension.h"
 #include "base/printable.h"
+#include "image/environment.h"
 #include "render/stage.h"
 #include "scene/reading/load.h"
 #include "scene/scene_at.h"
@@ -195,12 +196,20 @@ void print_surface(const scene::Scene& scene, const synthesis::Passes& passes,
     print_result("shaders   {}\n", fmt::join(passes.files(), " "));
 }
 
+// Reads the map to its end, as its mistakes may be anywhere.
+void expect_map(const scene::Scene& scene) {
+    if (!scene.environment) return;
+    const image::EnvironmentSink nothing{[](int, int) {}, [](int, std::span<const float>) {}};
+    image::read_environment(scene.environment->map, nothing, scene.environment->within);
+}
+
 int show(const ShowArguments& arguments) {
     if (!arguments.output.empty()) return write_scene(arguments);
     const std::vector<int> frames = animation::parse_frame_range(arguments.frames);
     const scene::Scene scene = scene::load(arguments.scene, arguments.settings, arguments.reach);
     const int frame = frames.front();
     expect_frames_of({&frame, 1}, scene);
+    expect_map(scene);
     const bool lists = !arguments.shader && arguments.pass.empty();
     const animation::Values values = scene.timeline.values(frame);
     // Values that have left their range are an error here too.

@@ -6,6 +6,7 @@
 #include <csignal>
 #include <cstdio>
 #include <mutex>
+#include <string_view>
 
 #include <unistd.h>
 
@@ -18,7 +19,28 @@ namespace {
 std::atomic<bool> stop{false}, heard{false}, begun{false};
 static_assert(std::atomic<bool>::is_always_lock_free, "written by a signal handler");
 
-constexpr int signals[] = {SIGINT, SIGTERM};
+constexpr int signals[] = {SIGINT, SIGTERM, SIGHUP};
+
+// Whoever starts the program may let it outlive the terminal (nohup).
+bool is_ignored(int signal) {
+    struct sigaction now {};
+    return signal == SIGHUP && sigaction(signal, nullptr, &now) == 0 &&
+           now.sa_handler == SIG_IGN; // NOLINT: the standard's macro casts
+}
+
+void handle(int signal, void (*handler)(int), int flags) {
+    if (is_ignored(signal)) return;
+    struct sigaction action {};
+    action.sa_handler = handler;
+    action.sa_flags = flags;
+    sigaction(signal, &action, nullptr);
+}
+
+void end_at_once(int) {
+    constexpr std::string_view words = "stopped\n";
+    [[maybe_unused]] const auto written = ::write(STDERR_FILENO, words.data(), words.size());
+    ::_exit(exit_interrupted);
+}
 
 // Ends the process in place of a thread that is in a driver's hands.
 void watch(const std::stop_token& over) {
@@ -38,20 +60,19 @@ void watch(const std::stop_token& over) {
 
 } // namespace
 
+void end_on_signal() {
+    for (const int signal : signals) handle(signal, end_at_once, 0);
+}
+
 StopOnSignal::StopOnSignal() {
     stop = heard = begun = false;
-    for (const int signal : signals) {
-        struct sigaction action {};
-        action.sa_handler = [](int) { stop = true; };
-        action.sa_flags = static_cast<int>(SA_RESETHAND);
-        sigaction(signal, &action, nullptr);
-    }
+    for (const int signal : signals)
+        handle(
+            signal, [](int) { stop = true; }, static_cast<int>(SA_RESETHAND));
     watch_ = std::jthread(watch);
 }
 
-StopOnSignal::~StopOnSignal() {
-    for (const int signal : signals) std::signal(signal, SIG_DFL);
-}
+StopOnSignal::~StopOnSignal() { end_on_signal(); }
 
 void StopOnSignal::work_has_begun() const { begun = true; }
 

@@ -10,6 +10,7 @@
 #include "animation/frame_range.h"
 #include "app/commands.h"
 #include "app/console.h"
+#include "app/inputs.h"
 #include "app/progress.h"
 #include "app/render_arguments.h"
 #include "app/stop_on_signal.h"
@@ -69,8 +70,10 @@ public:
         job_.folder = fs::current_path();
         job_.scene = scene::word_of(exporter.scene());
         job_.output = fs::absolute(exporter.options().output);
+        job_.frames = animation::frame_range(frames_);
         for (const std::string& movie : render.movies) job_.movies.push_back(fs::absolute(movie));
         job_.options = words_of(arguments.picture);
+        if (arguments.engine == "slurm") Inputs(exporter.scene()).expect_apart("-o", script());
         if (const char* data = std::getenv("ISOMOTION_DATA")) {
             job_.environment.push_back("ISOMOTION_DATA=" + fs::absolute(data).string());
         }

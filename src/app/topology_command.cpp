@@ -11,6 +11,7 @@
 #include "animation/frame_range.h"
 #include "app/commands.h"
 #include "app/console.h"
+#include "app/inputs.h"
 #include "app/progress.h"
 #include "app/stop_on_signal.h"
 #include "app/topology_subject.h"
@@ -128,13 +129,17 @@ void write_text(const std::string& file, const std::string& text) {
     base::write_whole(file, std::as_bytes(std::span(text)));
 }
 
+struct Pictures {
+    std::vector<topology::Thumbnail> drawn;
+    std::size_t undrawn = 0; // since the command was interrupted
+};
+
 // Pictures of the frames that tell most. If one cannot be drawn, only those before it.
-std::vector<topology::Thumbnail> thumbnails_of(const TopologyArguments& arguments,
-                                               const topology::TimelineRecord& record,
-                                               const StopOnSignal& stop) {
+Pictures pictures_of(const TopologyArguments& arguments, const topology::TimelineRecord& record,
+                     const StopOnSignal& stop) {
     std::vector<scene::Override> settings = arguments.settings;
     settings.push_back(fmt::format("output.size=[{0},{0}]", thumbnail_size));
-    std::vector<topology::Thumbnail> thumbnails;
+    Pictures pictures;
     try {
         scene::Scene scene = load_seen(arguments, settings);
         scene.sections.clear(); // the topology is that of the whole surface
@@ -142,27 +147,32 @@ std::vector<topology::Thumbnail> thumbnails_of(const TopologyArguments& argument
         render::Renderer renderer(*context, scene, {thumbnail_size, thumbnail_size, {}, {}, {}});
         const auto frames = topology::representative_frames(record, most_thumbnails);
         Progress progress("drawing", int(frames.size()), arguments.quiet);
-        for (std::size_t k = 0; k < frames.size() && !stop.asked(); ++k) {
+        for (std::size_t k = 0; k < frames.size(); ++k) {
             progress.show(int(k));
+            if (stop.asked()) {
+                pictures.undrawn = frames.size() - k;
+                break;
+            }
             const double whole = std::floor(frames[k]);
             const auto values = scene.timeline.values(std::int64_t(whole), frames[k] - whole);
             const render::Picture picture = renderer.draw(scene::at(scene, values));
             const auto png = image::encode(picture.frame, image::Format::png8);
-            thumbnails.push_back({frames[k], "data:image/png;base64," + base::base64(png)});
+            pictures.drawn.push_back({frames[k], "data:image/png;base64," + base::base64(png)});
         }
     } catch (const gpu::Unavailable&) {
         message("warning: no OpenGL here: {} has no pictures of the surface\n", arguments.plot);
     } catch (const std::exception& error) { // a shader too long, a value out of range in between
         message("warning: {} lacks pictures of the surface: {}\n", arguments.plot, error.what());
     }
-    return thumbnails;
+    return pictures;
 }
 
 // Writes each file, whatever becomes of the others. What the first that fails throws is thrown at
-// the end.
-void write_files(const TopologyArguments& arguments, const topology::TimelineRecord& record,
-                 const StopOnSignal& stop) {
+// the end. Returns how many pictures are missing, since the command was interrupted.
+std::size_t write_files(const TopologyArguments& arguments, const topology::TimelineRecord& record,
+                        const StopOnSignal& stop) {
     std::exception_ptr first;
+    std::size_t undrawn = 0;
     const auto write = [&](const std::string& file, const auto& text) {
         if (file.empty()) return;
         try {
@@ -173,9 +183,13 @@ void write_files(const TopologyArguments& arguments, const topology::TimelineRec
     };
     write(arguments.output, [&] { return topology::to_json(record); });
     write(arguments.csv, [&] { return topology::betti_csv(record); });
-    write(arguments.plot,
-          [&] { return topology::plot_svg(record, thumbnails_of(arguments, record, stop)); });
+    write(arguments.plot, [&] {
+        const Pictures pictures = pictures_of(arguments, record, stop);
+        undrawn = pictures.undrawn;
+        return topology::plot_svg(record, pictures.drawn);
+    });
     if (first) std::rethrow_exception(first);
+    return undrawn;
 }
 
 // Where F has no bounds, all that the search tells is that it could not prove anything.
@@ -317,6 +331,11 @@ int topology_of(TopologyArguments arguments) {
         arguments.settings = settings;
         loaded = scene::load(arguments.scene, settings, arguments.reach);
     }
+    Inputs inputs(loaded);
+    inputs.add(arguments.check);
+    inputs.expect_apart("-o", arguments.output);
+    inputs.expect_apart("--csv", arguments.csv);
+    inputs.expect_apart("--plot", arguments.plot);
     const Subject subject = subject_of(loaded, arguments.surface, arguments.contact);
     const scene::Scene& scene = subject.first;
     if (!scene.sections.empty() && !arguments.quiet) {
@@ -340,9 +359,14 @@ int topology_of(TopologyArguments arguments) {
     // The judgement is told first, so that no file that fails to be written keeps it back.
     const int code =
         expectation ? judged(arguments, *expectation, record) : whole_or_open(arguments, record);
-    write_files(arguments, record, stop);
-    if (is_whole) return code;
-    message("interrupted; what was written is what was known\n");
+    const std::size_t undrawn = write_files(arguments, record, stop);
+    if (is_whole && undrawn == 0) return code;
+    if (is_whole) {
+        message("interrupted; {} lacks {} picture{} of the surface, all else is written\n",
+                arguments.plot, undrawn, undrawn == 1 ? "" : "s");
+    } else {
+        message("interrupted; what was written is what was known\n");
+    }
     return exit_interrupted;
 }
 

@@ -102,6 +102,7 @@ void tell(const sequence::Verification& found) {
             "differ in pixels\n",
             sequence.provenance.version, ISOMOTION_VERSION);
     }
+    if (sequence.asked.empty()) print_result("  the manifest says that no frame was asked for\n");
     list("missing", found.missing);
     list("truncated or changed", found.changed);
     list("of an earlier scene or from elsewhere, without a record", found.unrecorded);

@@ -10,6 +10,7 @@
 #include "base/input_error.h"
 #include "base/nearest_name.h"
 #include "base/printable.h"
+#include "base/printable_message.h"
 #include "base/toml.h"
 
 namespace isomotion::base {
@@ -27,7 +28,7 @@ std::string reason(const nlohmann::detail::exception& error) {
 // No name of a file or a key begins a line.
 std::string place(const std::string& file, std::size_t line, const std::string& key) {
     const std::string at = line == 0 ? file : fmt::format("{}:{}", file, line);
-    return printable_line(key.empty() ? at : fmt::format("{}: {}", at, key));
+    return printable_line(key.empty() ? at : fmt::format("{}: {}", at, shortened(key)));
 }
 
 // Converts TOML, and notes the lines of all nodes.

@@ -8,9 +8,7 @@ namespace {
 
 using Words = std::vector<std::string>;
 
-} // namespace
-
-Words chunk_words(const Job& job, const std::string& frames) {
+Words rendering_words(const Job& job, const std::string& frames) {
     Words words;
     if (!job.environment.empty()) {
         words.push_back("/usr/bin/env");
@@ -22,8 +20,16 @@ Words chunk_words(const Job& job, const std::string& frames) {
     return words;
 }
 
+} // namespace
+
+Words chunk_words(const Job& job, const std::string& frames) {
+    Words words = rendering_words(job, frames);
+    words.insert(words.end(), {"--part-of", job.frames});
+    return words;
+}
+
 Words joining_words(const Job& job, const std::string& frames) {
-    Words words = chunk_words(job, frames);
+    Words words = rendering_words(job, frames);
     for (const auto& movie : job.movies) words.insert(words.end(), {"--movie", movie.string()});
     return words;
 }

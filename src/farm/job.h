@@ -14,16 +14,19 @@ struct Job {
     std::filesystem::path folder;  // base for files that the options name
     std::filesystem::path scene;
     std::filesystem::path output; // out/name.####.png
+    std::string frames;           // all of the sequence
     std::vector<std::filesystem::path> movies;
     std::vector<std::string> options;     // of render, except those for scene, frames and output
     std::vector<std::string> environment; // NAME=value, in addition to the worker's own
 };
 
 // The arguments that render the frames and keep those that are complete, so the call can be
-// repeated.
+// repeated. They also name all frames of the sequence: whichever chunk begins first records what
+// was asked for, and `verify` misses the frames of chunks that never began.
 std::vector<std::string> chunk_words(const Job& job, const std::string& frames);
 
-// The same for all frames at the end: renders missing ones, and joins the movie.
+// The same for all frames, in the order of a movie, at the end: renders missing ones, and joins the
+// movie.
 std::vector<std::string> joining_words(const Job& job, const std::string& frames);
 
 // These words as one line for /bin/sh, which can run anywhere on a machine that sees the files.

@@ -37,6 +37,20 @@ std::string html_text(std::string_view text) {
     return safe;
 }
 
+std::string link_to(std::string_view file) {
+    constexpr std::string_view plain = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ"
+                                       "0123456789-._~";
+    std::string link = "./";
+    for (const char c : file) {
+        if (plain.find(c) != plain.npos) {
+            link += c;
+        } else {
+            link += fmt::format("%{:02X}", static_cast<unsigned char>(c));
+        }
+    }
+    return link;
+}
+
 std::string filled(std::string_view html, const std::map<std::string_view, std::string>& parts) {
     std::string text;
     while (true) {

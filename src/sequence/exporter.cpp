@@ -4,10 +4,12 @@
 #include <functional>
 #include <memory>
 #include <mutex>
+#include <set>
 #include <utility>
 
 #include <fmt/format.h>
 
+#include "animation/frame_range.h"
 #include "base/file.h"
 #include "render/exposure.h"
 #include "sequence/describe.h"
@@ -37,6 +39,15 @@ bool stopped(const ExportWatcher& watcher) { return watcher.stop && watcher.stop
 
 void check_options(const scene::Scene& scene, const ExportOptions& options, image::Format format) {
     if (options.frames.empty()) throw OptionError("frames: name at least one");
+    if (!options.part_of.empty()) {
+        const std::set<int> all(options.part_of.begin(), options.part_of.end());
+        for (const int frame : options.frames) {
+            if (all.contains(frame)) continue;
+            throw OptionError(fmt::format("part-of {}: frame {} is to be rendered and is not among "
+                                          "them; name all frames of the sequence",
+                                          animation::frame_range(options.part_of), frame));
+        }
+    }
     if (format == image::Format::exr && options.bits != 8) {
         throw OptionError("bits is of a PNG; an EXR holds half floats");
     }
@@ -53,6 +64,11 @@ void check_options(const scene::Scene& scene, const ExportOptions& options, imag
     } catch (const MovieError& error) {
         throw OptionError(fmt::format("movie {}", error.what()));
     }
+}
+
+// What the manifest says was asked for.
+const std::vector<int>& asked(const ExportOptions& options) {
+    return options.part_of.empty() ? options.frames : options.part_of;
 }
 
 // A frame that waits for its picture, or has it.
@@ -124,7 +140,7 @@ public:
         , watcher_(watcher)
         , auditing_(scene)
         , renderer_(context, scene, render_options())
-        , sequence_(sequence_of(scene, name, format, options.channels, options.frames,
+        , sequence_(sequence_of(scene, name, format, options.channels, asked(options),
                                 context.info(), render::choose_stage(options.stage, context.info()),
                                 renderer_.shaders_fingerprint()))
         , manifest_(name.holds_many() ? &manifest.emplace(name, sequence_) : nullptr)
@@ -301,7 +317,7 @@ private:
     // Whether the file is what these options would write, by the records of earlier runs.
     bool is_finished(const PendingFrame& pending) {
         const int frame = pending.frame;
-        const auto record = manifest_ ? find_record(manifest_->folder(), frame) : std::nullopt;
+        const auto record = manifest_ ? find_record(name_, frame) : std::nullopt;
         const FrameStatus status =
             frame_status(name_.path(frame), record, pending.fingerprint, ISOMOTION_VERSION);
         totals_.found[status].push_back(frame);

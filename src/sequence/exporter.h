@@ -30,8 +30,9 @@ class OptionError : public std::invalid_argument {
 };
 
 struct ExportOptions {
-    std::string output;                       // out/name.####.png or .exr
-    std::vector<int> frames;                  // at least one
+    std::string output;       // out/name.####.png or .exr
+    std::vector<int> frames;  // at least one
+    std::vector<int> part_of; // frames of the sequence that `frames` are a part of; none: these
     std::vector<synthesis::Channel> channels; // for an EXR, besides the picture
     int bits = 8;                             // for a PNG: 8 or 16
     render::StageChoice stage = render::StageChoice::fragment;

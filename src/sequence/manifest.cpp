@@ -64,11 +64,11 @@ Sequence read_sequence(const fs::path& manifest) {
     return sequence;
 }
 
-std::optional<FrameRecord> find_record(const fs::path& manifest, int frame) {
-    const fs::path file = frame_file(manifest, frame);
+std::optional<FrameRecord> find_record(const SequenceName& name, int frame) {
+    const fs::path file = frame_file(manifest_folder(name), frame);
     try {
         FrameRecord record = parse_frame_record(read_text(file), file.string());
-        if (record.frame == frame) return record;
+        if (record.frame == frame && record.file == name.path(frame).filename()) return record;
     } catch (const base::FileError&) { // there is none
     } catch (const ManifestError&) {   // or nothing that could be trusted
     }

@@ -23,7 +23,7 @@ std::filesystem::path frame_file(const std::filesystem::path& manifest, int fram
 // manifest or belongs to files elsewhere.
 Sequence read_sequence(const std::filesystem::path& manifest);
 
-// None if there is no readable record of this frame.
-std::optional<FrameRecord> find_record(const std::filesystem::path& manifest, int frame);
+// None if there is no readable record of this frame and of this file of it.
+std::optional<FrameRecord> find_record(const SequenceName& name, int frame);
 
 } // namespace isomotion::sequence

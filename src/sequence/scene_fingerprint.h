@@ -9,8 +9,8 @@ namespace isomotion::sequence {
 
 // Fingerprint of what the scene file and the command line state: the formula, all motion, the
 // method and its settings, the effects. It ignores comments, order and the number of frames. It
-// also ignores changes of content in a map or a table of elements; these change the frames' own
-// fingerprints.
+// also ignores changes of content in an environment's map, which change the frames' own
+// fingerprints. It includes what is read of tables of elements.
 std::string scene_fingerprint(const scene::Scene& scene);
 
 } // namespace isomotion::sequence

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <iterator>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -57,8 +58,9 @@ bool has_the_pixels(const fs::path& file, const FrameRecord& record) {
     }
 }
 
-void look_at(int frame, const fs::path& file, bool pixels, Verification& found) {
-    const auto record = find_record(found.manifest, frame);
+void look_at(int frame, const SequenceName& name, bool pixels, Verification& found) {
+    const fs::path file = name.path(frame);
+    const auto record = find_record(name, frame);
     switch (frame_status(file, record, record ? record->fingerprint : "", ISOMOTION_VERSION)) {
     case FrameStatus::missing:
         found.missing.push_back(frame);
@@ -80,12 +82,13 @@ void look_at(int frame, const fs::path& file, bool pixels, Verification& found) 
     sum_up(found, *record);
 }
 
-std::vector<int> files_never_asked_for(const SequenceName& name, const std::vector<int>& asked) {
+// Frames whose files there are, ascending.
+std::vector<int> frames_there(const SequenceName& name) {
     std::vector<int> frames;
     const fs::path folder = name.folder().empty() ? "." : name.folder();
     for (const auto& entry : fs::directory_iterator(folder)) {
         const auto frame = name.frame_of(entry.path().filename().string());
-        if (frame && !std::ranges::binary_search(asked, *frame)) frames.push_back(*frame);
+        if (frame) frames.push_back(*frame);
     }
     std::ranges::sort(frames);
     return frames;
@@ -124,8 +127,8 @@ Json json(const Verification& found) {
 } // namespace
 
 bool Verification::is_whole() const {
-    return whole.size() == sequence.asked.size() && repainted.empty() && differing.empty() &&
-           foreign.empty();
+    return !sequence.asked.empty() && whole.size() == sequence.asked.size() && repainted.empty() &&
+           differing.empty() && foreign.empty();
 }
 
 Verification verify(const fs::path& manifest, const VerifyOptions& how) {
@@ -142,11 +145,16 @@ Verification verify(const fs::path& manifest, const VerifyOptions& how) {
                                         found.sequence.format.pattern,
                                         base::printable_line(right.filename().string())));
     }
-    for (std::size_t k = 0; k < asked.size(); ++k) {
-        if (how.progress) how.progress(int(k), int(asked.size()));
-        look_at(asked[k], name.path(asked[k]), how.pixels, found);
+    const std::vector<int> there = frames_there(name);
+    std::ranges::set_difference(asked, there, std::back_inserter(found.missing));
+    std::ranges::set_difference(there, asked, std::back_inserter(found.foreign));
+    std::vector<int> present;
+    std::ranges::set_intersection(asked, there, std::back_inserter(present));
+    for (std::size_t k = 0; k < present.size(); ++k) {
+        if (how.progress) how.progress(int(k), int(present.size()));
+        look_at(present[k], name, how.pixels, found);
     }
-    found.foreign = files_never_asked_for(name, asked);
+    std::ranges::sort(found.missing); // with links that lead nowhere
     return found;
 }
 

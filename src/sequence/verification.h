@@ -36,6 +36,7 @@ struct Verification {
     std::int64_t evaluations = 0;
     double drawing = 0; // seconds
 
+    // Also false if nothing was asked for: no run of the program leaves such a manifest.
     bool is_whole() const;
 };
 
@@ -44,7 +45,8 @@ struct VerifyOptions {
     std::function<void(int done, int of)> progress = {};
 };
 
-// Throws FileError and ManifestError if there is no manifest to read.
+// Throws FileError and ManifestError if there is no manifest to read. Opens only files that exist:
+// the time does not depend on how many frames a manifest says were asked for.
 Verification verify(const std::filesystem::path& manifest, const VerifyOptions& how = {});
 
 std::string to_json(const std::vector<Verification>& all);

@@ -124,6 +124,30 @@ TEST_F(Interrupted, TerminationStopsAlike) {
     expect_only_whole_files();
 }
 
+// As when a terminal is closed.
+TEST_F(Interrupted, HangingUpStopsAlike) {
+    const Ending ending =
+        run_until("cut", SIGHUP, [this](milliseconds) { return count("cut", false) >= 1; });
+    EXPECT_EQ(ending.code, 130) << ending;
+    expect_only_whole_files();
+}
+
+// Before anything is begun, and in commands that have nothing to bring to an end.
+TEST_F(Interrupted, EndsWithTheSameCodeOutsideOfWork) {
+    for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
+        Circumstances circumstances = this->circumstances();
+        circumstances.interrupt_signal = signal;
+        circumstances.interrupt_when = [](milliseconds running) {
+            return running >= milliseconds(300);
+        };
+        const Ending ending =
+            run({"accuracy", "sphere.toml", "--size", "1024x1024", "--repeat", "1000", "--quiet"},
+                circumstances);
+        EXPECT_EQ(ending.code, 130) << ending;
+        EXPECT_THAT(ending.err, HasSubstr("stopped"));
+    }
+}
+
 // A frame of this takes many minutes: it is given up between two of its draws.
 TEST_F(Interrupted, StopsInTheMiddleOfAFrame) {
     write("heavy.toml",

@@ -116,6 +116,23 @@ TEST_F(Local, AWorkerKilledInTheMiddleIsReplaced) {
     expect_same_files("one", "many");
 }
 
+// Before the first frame is drawn the manifest knows of chunks that nobody has begun.
+TEST_F(Local, VerifyMissesTheChunksThatAKilledRunNeverBegan) {
+    cli::Circumstances circumstances = this->circumstances();
+    circumstances.interrupt_signal = SIGKILL;
+    circumstances.interrupt_when = [&](auto) { return frames_in("many") >= 2; };
+    const cli::Ending ending =
+        run(command("submit", "many", slow({"--workers", "1", "--chunk", "3"})), circumstances);
+    EXPECT_EQ(ending.signal, SIGKILL) << ending;
+    while (works()) std::this_thread::sleep_for(std::chrono::milliseconds(10));
+    const cli::Ending verified = run({"verify", "many"});
+    EXPECT_EQ(verified.code, 1) << verified;
+    EXPECT_THAT(verified.out, HasSubstr(", 18 frames, "));
+    EXPECT_THAT(verified.out, HasSubstr("-18)\n")); // the end of what is missing
+    EXPECT_EQ(run(command("render", "many", slow({"--resume"}))).code, 0);
+    EXPECT_EQ(run({"verify", "many"}).code, 0);
+}
+
 // A folder in a frame's place can't be replaced by it.
 TEST_F(Local, AChunkThatAlwaysFailsLeavesTheOthersWhole) {
     ASSERT_EQ(run(command("render", "one")).code, 0);

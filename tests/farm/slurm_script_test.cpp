@@ -74,13 +74,14 @@ TEST_F(SlurmScript, SaysWhatItShouldWhateverTheNames) {
         job.scene = "/" + name();
         job.output = job.folder / name() / (sequence::stem_of_frames(name()) + ".####.png");
         if (k % 2) job.movies = {job.folder / (name() + ".mp4")};
+        job.frames = "1-3,4-8x2,9";
         job.options = {nasty_word(random), "$frames", nasty_word(random)};
         job.environment = {"EXTRA=" + nasty_word(random)};
         fs::create_directories(job.output.parent_path());
         Slurm slurm;
         slurm.script = job.output.parent_path() / (stem(job.output) + ".slurm.sh");
         const std::vector<Chunk> chunks{{1, 2, 3}, {4, 6, 8}, {9}};
-        const std::string text = slurm_script(job, chunks, "1-3,4-8x2,9", slurm);
+        const std::string text = slurm_script(job, chunks, job.frames, slurm);
         EXPECT_EQ(text.find("\r\n"), text.npos);
         write("script", text);
         const std::string ranges[] = {"1-3", "4-8x2", "9"};
@@ -90,7 +91,7 @@ TEST_F(SlurmScript, SaysWhatItShouldWhateverTheNames) {
             EXPECT_EQ(recorded(), as_recorded(chunk_words(job, ranges[task]), job)) << text;
         }
         EXPECT_EQ(run_task("").code, 0);
-        EXPECT_EQ(recorded(), as_recorded(joining_words(job, "1-3,4-8x2,9"), job)) << text;
+        EXPECT_EQ(recorded(), as_recorded(joining_words(job, job.frames), job)) << text;
         fs::path logs = slurm.script;
         logs.replace_extension();
         EXPECT_TRUE(fs::exists(logs / "2.log") && fs::exists(logs / "join.log"));

@@ -22,7 +22,7 @@ def test(given, folder, driven, checks):
     checks.equal(ending.returncode, 0, f"page --gallery: {ending.stderr}")
     with open(os.path.join(site, "index.html")) as index:
         text = index.read()
-    names = re.findall(r'href="([^"]*)\.html"', text)
+    names = re.findall(r'href="\./([^"]*)\.html"', text)
     checks.expect("/animations/" not in text, "the index tells where its scenes lie")
     listed = pages.run(given.program, "list", "animations").stdout.splitlines()
     known = {line.split()[0] for line in listed if line.strip()}

@@ -2,8 +2,6 @@
 
 #include <algorithm>
 
-#include <sys/stat.h>
-
 #include "scene/data_folder.h"
 #include "scene/reading/named_file.h"
 
@@ -38,7 +36,7 @@ void FileWatch::watch(const std::vector<fs::path>& files) {
         if (known != files_.end()) {
             wanted.insert(*known);
         } else {
-            const auto now = stamp(file);
+            const auto now = base::stamp_of(file);
             wanted.insert({file, {now, now}});
         }
     }
@@ -48,7 +46,7 @@ void FileWatch::watch(const std::vector<fs::path>& files) {
 std::vector<fs::path> FileWatch::changed() {
     std::vector<fs::path> changed;
     for (auto& [file, watched] : files_) {
-        const auto now = stamp(file);
+        const auto now = base::stamp_of(file);
         if (now && now == watched.seen && now != watched.told) {
             watched.told = now;
             changed.push_back(file);
@@ -56,14 +54,6 @@ std::vector<fs::path> FileWatch::changed() {
         watched.seen = now;
     }
     return changed;
-}
-
-std::optional<FileWatch::Stamp> FileWatch::stamp(const fs::path& file) {
-    struct stat found = {};
-    if (::stat(file.c_str(), &found) != 0 || !S_ISREG(found.st_mode)) return std::nullopt;
-    return Stamp{std::uint64_t(found.st_dev), std::uint64_t(found.st_ino),
-                 std::int64_t(found.st_size), std::int64_t(found.st_mtim.tv_sec),
-                 std::int64_t(found.st_mtim.tv_nsec)};
 }
 
 std::vector<fs::path> files_of(const scene::Scene& scene) {

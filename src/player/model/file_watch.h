@@ -7,12 +7,12 @@
 // same size within one tick of the file system's clock (some ms) count as one.
 #pragma once
 
-#include <cstdint>
 #include <filesystem>
 #include <map>
 #include <optional>
 #include <vector>
 
+#include "base/file_stamp.h"
 #include "scene/scene.h"
 
 namespace isomotion::player {
@@ -28,17 +28,10 @@ public:
     std::vector<std::filesystem::path> changed();
 
 private:
-    struct Stamp {
-        std::uint64_t device = 0, inode = 0;
-        std::int64_t size = 0, seconds = 0, nanoseconds = 0;
-
-        bool operator==(const Stamp&) const = default;
-    };
     struct Watched {
-        std::optional<Stamp> told; // when last reported; none if there was no file
-        std::optional<Stamp> seen; // at the last call
+        std::optional<base::FileStamp> told; // when last reported; none if there was no file
+        std::optional<base::FileStamp> seen; // at the last call
     };
-    static std::optional<Stamp> stamp(const std::filesystem::path& file);
 
     std::map<std::filesystem::path, Watched> files_;
 };

@@ -9,6 +9,7 @@
 
 #include "base/content_hash.h"
 #include "base/file.h"
+#include "base/file_stamp.h"
 #include "base/regular_file.h"
 #include "scene/error.h"
 #include "scene/limits.h"
@@ -56,7 +57,9 @@ void add_file(base::ContentHash& hash, base::RegularFile file, bool whole) {
 
 FileFrames::FileFrames(FrameFiles files)
     : files_(std::move(files))
-    , wanted_(files_.columns.size()) {}
+    , wanted_(files_.columns.size()) {
+    for (const std::filesystem::path& file : files_.files) stamps_.push_back(base::stamp_of(file));
+}
 
 FileFrames::~FileFrames() = default; // waits for what is being read ahead
 
@@ -100,6 +103,11 @@ FileFrames::FramePointer FileFrames::read(std::size_t k, const std::vector<bool>
         return wanted;
     };
     ParticleTable table = read_particles(request, limits::table_bytes).table;
+    // Frames of two simulations would pass for those of one: the fingerprint of all is one.
+    if (base::stamp_of(request.file) != stamps_[k]) {
+        fail_of_file(request, "changed after the scene was read; start again when nothing writes "
+                              "it any more");
+    }
     if (table.count > files_.most) {
         fail_of_file(request, fmt::format("holds {} particles; the array's count allows {}",
                                           table.count, files_.most));

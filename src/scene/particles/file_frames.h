@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "animation/sample_source.h"
+#include "base/file_stamp.h"
 #include "scene/particles/particle_table.h"
 
 namespace isomotion::scene {
@@ -34,7 +35,7 @@ public:
     const std::vector<double>& times() const override { return files_.times; }
     std::size_t columns() const override { return files_.columns.size(); }
     // Throws SceneError that names the file's line or byte for a value that is not a number or a
-    // column that is missing.
+    // column that is missing, and for a file that changed since this object was made.
     Sample sample(std::size_t k, const std::vector<bool>& columns) const override;
     Successors successors(std::size_t k) const override;
     int most() const override { return int(files_.most); }
@@ -47,6 +48,7 @@ public:
     void add_rows(base::Fingerprint& print) const override;
     std::string origin(std::size_t k) const override;
     std::vector<std::string> names() const override { return files_.columns; }
+    std::vector<std::filesystem::path> files() const override { return files_.files; }
 
     // For tests: the number of frames in memory or being read, and the number of files read so far.
     std::size_t frames_now() const;
@@ -76,8 +78,9 @@ private:
     std::size_t frames_kept() const;
 
     FrameFiles files_;
-    mutable std::mutex mutex_;         // guards the members below
-    mutable std::list<Entry> entries_; // most recently used first
+    std::vector<std::optional<base::FileStamp>> stamps_; // of the files when the scene was read
+    mutable std::mutex mutex_;                           // guards the members below
+    mutable std::list<Entry> entries_;                   // most recently used first
     mutable std::vector<bool> wanted_;
     mutable std::size_t asked_ = std::size_t(-2);
     mutable std::size_t files_read_ = 0;

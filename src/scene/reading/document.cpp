@@ -7,6 +7,7 @@
 
 #include "base/file_text.h"
 #include "base/nearest_name.h"
+#include "base/printable_message.h"
 #include "base/toml.h"
 #include "formula/graph/vocabulary.h"
 #include "scene/limits.h"
@@ -76,7 +77,7 @@ std::string position(const toml::node& node) {
 }
 
 void fail(const toml::node& at, const std::string& key, const std::string& message) {
-    throw PlacedError(at, fmt::format("{}: {}: {}", position(at), key, message));
+    throw PlacedError(at, fmt::format("{}: {}: {}", position(at), base::shortened(key), message));
 }
 
 double read_finite(const toml::node& node, const std::string& key) {

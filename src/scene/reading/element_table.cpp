@@ -31,6 +31,7 @@ public:
     ElementTable read(Interpolation rule) {
         ElementTable result{nullptr, choice_.fields, here(0), here(table_.count - 1)};
         split_by_time();
+        rows_.file = options_.file;
         rows_.origin = fmt::format("{}: {}", options_.file.string(), table_.format);
         if (rows_.times.size() > 1) rows_.origin += fmt::format(", {} times", rows_.times.size());
         take_columns();

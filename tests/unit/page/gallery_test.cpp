@@ -19,5 +19,16 @@ TEST(Gallery, TellsNotWhereFilesLie) {
     EXPECT_EQ(told("shaders are too long"), "shaders are too long");
 }
 
+// Names of files are strangers' text, too.
+TEST(Gallery, LinksToFilesWhateverTheirNames) {
+    const std::string index = gallery_index(
+        {{"javascript:alert(1)//", "One"}, {"a?b#c%20d\"<é", "Two"}, {"plain-1", "Three"}}, {});
+    const auto holds = [&](const char* text) { return index.find(text) != index.npos; };
+    EXPECT_TRUE(holds("href=\"./javascript%3Aalert%281%29%2F%2F.html\"")) << index;
+    EXPECT_TRUE(holds("src=\"./a%3Fb%23c%2520d%22%3C%C3%A9.png\"")) << index;
+    EXPECT_TRUE(holds("href=\"./plain-1.html\"")) << index;
+    EXPECT_FALSE(holds("\"javascript:"));
+}
+
 } // namespace
 } // namespace isomotion::page

@@ -42,7 +42,7 @@ TEST(Page, OfAFormulaHasItWhole) {
 
 TEST(Gallery, NamesItsPagesAndWhatHasNone) {
     const std::string text = gallery_index({{"torus", "A <torus>"}}, {"drops: 5000 & more"});
-    EXPECT_THAT(text, HasSubstr("href=\"torus.html\""));
+    EXPECT_THAT(text, HasSubstr("href=\"./torus.html\""));
     EXPECT_THAT(text, HasSubstr("A &lt;torus&gt;"));
     EXPECT_THAT(text, HasSubstr("<li>drops: 5000 &amp; more</li>"));
     EXPECT_THAT(gallery_index({}, {}), Not(HasSubstr("Without a page")));

@@ -264,6 +264,27 @@ TEST_F(ParticleFrames, HaveAnotherFingerprintWhereAnyOfThemHasAnotherByte) {
     EXPECT_NE(print_of(loaded(text)), before);
 }
 
+// Frames drawn before and after would pass for one simulation's.
+TEST_F(ParticleFrames, AreRefusedWhereTheyChangedAfterTheSceneWasRead) {
+    const auto write_all = [&](const char* row) {
+        for (int k = 1; k <= 9; ++k)
+            write_bytes(fmt::format("p.{}.csv", k), fmt::format("x,y,z\n{},0,0\n", row));
+    };
+    write_all("1");
+    const Scene scene = loaded(scene_of("file = \"p.#.csv\"", 9));
+    write_all("12");
+    int refused = 0; // not those that are still in memory
+    for (int frame = 1; frame <= 9; ++frame) {
+        try {
+            EXPECT_EQ(at_frame(scene, frame).fields[0][0], 1) << frame;
+        } catch (const SceneError& error) {
+            EXPECT_THAT(error.what(), HasSubstr(".csv: changed after the scene was read"));
+            ++refused;
+        }
+    }
+    EXPECT_GE(refused, 3);
+}
+
 TEST_F(ParticleFrames, SayWhereTheyAreFrom) {
     for (const int number : {1, 2, 3})
         write_bytes(fmt::format("p.{}.bgeo", number), particles::bgeo(one(1, 0, 1)));

@@ -75,7 +75,7 @@ TEST_F(RecordingTest, ManyWhoJoinAtOnceLoseNothing) {
     }
     all.clear();
     EXPECT_EQ(read_sequence(manifest()).asked.size(), 2u * many);
-    for (int k = 0; k < many; ++k) EXPECT_TRUE(find_record(manifest(), k + 1)) << k;
+    for (int k = 0; k < many; ++k) EXPECT_TRUE(find_record(name(), k + 1)) << k;
     // No hidden files are left.
     for (const auto& entry : fs::directory_iterator(manifest())) {
         EXPECT_NE(entry.path().filename().string().front(), '.');

@@ -1,8 +1,12 @@
 #include "sequence/verification.h"
 
 #include <fstream>
+#include <numeric>
+#include <span>
 
+#include "animation/frame_range.h"
 #include "records.h"
+#include "sequence/manifest_json.h"
 
 namespace isomotion::sequence {
 namespace {
@@ -35,6 +39,44 @@ TEST_F(VerificationTest, FindsWhatIsWrong) {
     EXPECT_EQ(verify(manifest()).unrecorded, std::vector{3});
     EXPECT_FALSE(verify(manifest()).is_whole());
     EXPECT_TRUE(verify(manifest()).whole.empty());
+}
+
+TEST_F(VerificationTest, ARecordOfAnotherFile) {
+    FrameRecord record = write(2);
+    record.file = "a.0003.png";
+    recording_.record(record);
+    EXPECT_EQ(verify(manifest()).unrecorded, std::vector{2});
+    EXPECT_FALSE(verify(manifest()).is_whole());
+}
+
+TEST_F(VerificationTest, NothingWasAskedFor) {
+    for (int frame = 1; frame <= 3; ++frame) fs::remove(name().path(frame));
+    const std::string text = to_json(some_sequence({}));
+    base::write_whole(sequence_file(manifest()), std::as_bytes(std::span(text)));
+    EXPECT_FALSE(verify(manifest()).is_whole());
+}
+
+// A few hundred bytes may ask for millions of frames. Only what is there is looked at.
+TEST_F(VerificationTest, MillionsOfFramesThatAreNotThere) {
+    std::vector<int> asked(10'000'000);
+    std::iota(asked.begin(), asked.end(), 1);
+    const std::string text = to_json(some_sequence(asked));
+    base::write_whole(sequence_file(manifest()), std::as_bytes(std::span(text)));
+    int looks = 0;
+    const Verification found = verify(manifest(), {.progress = [&](int, int of) {
+                                          ++looks;
+                                          EXPECT_EQ(of, 3);
+                                      }});
+    EXPECT_EQ(looks, 3);
+    EXPECT_EQ(found.whole, (std::vector{1, 2, 3}));
+    EXPECT_EQ(animation::frame_range(found.missing), "4-10000000");
+}
+
+TEST_F(VerificationTest, ALinkThatLeadsNowhereIsMissing) {
+    fs::remove(name().path(1));
+    fs::create_symlink("nowhere", name().path(1));
+    fs::remove(name().path(2));
+    EXPECT_EQ(verify(manifest()).missing, (std::vector{1, 2}));
 }
 
 TEST_F(VerificationTest, FilesThatLookLikeFramesAndAreNone) {

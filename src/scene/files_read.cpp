@@ -1,0 +1,23 @@
+#include "scene/files_read.h"
+
+#include "scene/data_folder.h"
+
+namespace isomotion::scene {
+
+std::vector<std::filesystem::path> files_read(const Scene& scene) {
+    std::vector<std::filesystem::path> files;
+    if (scene.formula.empty()) files.push_back(scene.file);
+    if (!scene.surface.name.empty()) files.push_back(surface_file(scene.surface.name));
+    if (!scene.look.name.empty()) files.push_back(look_file(scene.look.name));
+    if (scene.environment) files.push_back(scene.environment->map);
+    for (const animation::Array& array : scene.timeline.animation.arrays()) {
+        if (!array.samples) continue;
+        for (auto& file : array.samples->source().files()) files.push_back(std::move(file));
+    }
+    for (const Scene& other : scene.others) {
+        for (auto& file : files_read(other)) files.push_back(std::move(file));
+    }
+    return files;
+}
+
+} // namespace isomotion::scene
