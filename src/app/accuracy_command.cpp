@@ -10,6 +10,7 @@
 #include "animation/frame_range.h"
 #include "app/commands.h"
 #include "app/console.h"
+#include "app/open_context.h"
 #include "app/progress.h"
 #include "app/render_arguments.h"
 #include "scene/surfaces.h"
@@ -91,7 +92,7 @@ int price_effects(const AccuracyArguments& arguments) {
         print_result("{} calls for no effect\n", scene.title);
         return exit_done;
     }
-    const auto context = gpu::Context::create(gpu::parse_backend(arguments.backend));
+    const auto context = open_context(arguments.backend);
     const auto prices =
         accuracy::effect_prices(*context, scene, frame, scene.output.width, scene.output.height,
                                 arguments.repeat, render::parse_stage(arguments.stage));
@@ -120,7 +121,7 @@ accuracy::Report measured(const AccuracyArguments& arguments) {
     measuring.cache = accuracy::truth_cache_folder();
     const auto settings =
         accuracy::sweep(scene, parse_methods(arguments.methods), parse_steps(arguments.steps));
-    const auto context = gpu::Context::create(gpu::parse_backend(arguments.backend));
+    const auto context = open_context(arguments.backend);
     const synthesis::Stage stage = render::choose_stage(measuring.stage, context->info());
     Progress progress("measuring", 1000, arguments.quiet);
     measuring.progress = [&](const std::string& what, double part) {
