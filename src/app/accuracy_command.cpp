@@ -11,6 +11,7 @@
 #include "app/commands.h"
 #include "app/console.h"
 #include "app/inputs.h"
+#include "app/open_context.h"
 #include "app/progress.h"
 #include "app/render_arguments.h"
 #include "scene/surfaces.h"
@@ -92,7 +93,7 @@ int price_effects(const AccuracyArguments& arguments) {
         print_result("{} calls for no effect\n", scene.title);
         return exit_done;
     }
-    const auto context = gpu::Context::create(gpu::parse_backend(arguments.backend));
+    const auto context = open_context(arguments.backend);
     const auto prices =
         accuracy::effect_prices(*context, scene, frame, scene.output.width, scene.output.height,
                                 arguments.repeat, render::parse_stage(arguments.stage));
@@ -126,7 +127,7 @@ accuracy::Report measured(const AccuracyArguments& arguments) {
         for (const std::string& name : accuracy::files_written(settings.size()))
             inputs.expect_apart("-o", std::filesystem::path(arguments.output) / name);
     }
-    const auto context = gpu::Context::create(gpu::parse_backend(arguments.backend));
+    const auto context = open_context(arguments.backend);
     const synthesis::Stage stage = render::choose_stage(measuring.stage, context->info());
     Progress progress("measuring", 1000, arguments.quiet);
     measuring.progress = [&](const std::string& what, double part) {

@@ -12,6 +12,7 @@
 #include "app/commands.h"
 #include "app/console.h"
 #include "app/inputs.h"
+#include "app/open_context.h"
 #include "app/progress.h"
 #include "app/render_arguments.h"
 #include "app/stop_on_signal.h"
@@ -90,7 +91,7 @@ std::vector<std::byte> movie_of(const PageArguments& arguments, const scene::Sce
     render.audit = "off";
     sequence::Exporter exporter = exporter_of(render);
     sequence::expect_ffmpeg();
-    const auto context = gpu::Context::create(gpu::parse_backend(arguments.backend));
+    const auto context = open_context(arguments.backend);
     const StopOnSignal stop;
     Progress progress("drawing the movie", scene.timeline.frames, arguments.quiet);
     const sequence::ExportWatcher watcher{
@@ -168,7 +169,7 @@ bool is_index(std::string name) {
 int write_gallery(const PageArguments& arguments) {
     const fs::path folder = arguments.output.empty() ? "site" : arguments.output;
     fs::create_directories(folder);
-    const auto context = gpu::Context::create(gpu::parse_backend(arguments.backend));
+    const auto context = open_context(arguments.backend);
     const std::vector<std::string> names = scene::animation_names();
     Progress progress("writing pages", int(names.size()), arguments.quiet);
     std::vector<page::GalleryEntry> entries;

@@ -12,6 +12,7 @@
 #include "app/commands.h"
 #include "app/console.h"
 #include "app/frame_progress.h"
+#include "app/open_context.h"
 #include "app/progress.h"
 #include "app/render_arguments.h"
 #include "app/stop_on_signal.h"
@@ -142,7 +143,7 @@ int render(const RenderArguments& arguments) {
     if (const std::string beyond = bounds_beyond(exporter); !beyond.empty()) warn(beyond);
     exporter.make_folders();
     if (!options.movies.empty()) sequence::expect_ffmpeg();
-    const auto context = gpu::Context::create(gpu::parse_backend(arguments.backend));
+    const auto context = open_context(arguments.backend);
     if (arguments.max_wrong) {
         const auto settings = choose_settings(*context, exporter.scene(), options.frames,
                                               {.max_wrong = *arguments.max_wrong,

@@ -12,6 +12,7 @@
 #include "app/commands.h"
 #include "app/console.h"
 #include "app/inputs.h"
+#include "app/open_context.h"
 #include "app/progress.h"
 #include "app/stop_on_signal.h"
 #include "app/topology_subject.h"
@@ -143,7 +144,7 @@ Pictures pictures_of(const TopologyArguments& arguments, const topology::Timelin
     try {
         scene::Scene scene = load_seen(arguments, settings);
         scene.sections.clear(); // the topology is that of the whole surface
-        const auto context = gpu::Context::create(gpu::parse_backend(arguments.backend));
+        const auto context = open_context(arguments.backend);
         render::Renderer renderer(*context, scene, {thumbnail_size, thumbnail_size, {}, {}, {}});
         const auto frames = topology::representative_frames(record, most_thumbnails);
         Progress progress("drawing", int(frames.size()), arguments.quiet);

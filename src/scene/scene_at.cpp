@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <limits>
+#include <optional>
 
 #include <fmt/format.h>
 #include <glm/gtc/constants.hpp>
@@ -13,6 +14,18 @@
 
 namespace isomotion::scene {
 namespace {
+
+constexpr double largest_float = std::numeric_limits<float>::max();
+
+// Whether a vector's square is a full double: the square of a shorter vector loses digits, or is 0.
+bool has_direction(const glm::dvec3& v) {
+    return glm::dot(v, v) >= std::numeric_limits<double>::min();
+}
+
+bool are_floats(const glm::dvec3& v) {
+    return std::abs(v.x) <= largest_float && std::abs(v.y) <= largest_float &&
+           std::abs(v.z) <= largest_float;
+}
 
 struct Ball {
     glm::dvec3 centre{0};
@@ -104,9 +117,7 @@ public:
         if (from.shape == Bounds::Shape::sphere) {
             to.centre = vector(from.centre);
             to.radius = number(from.radius);
-            if (!(to.radius > 0)) {
-                fail(from.radius, fmt::format("the radius must be above 0, not {}", to.radius));
-            }
+            check_size(from.radius, to.radius);
             to.min = to.centre - to.radius;
             to.max = to.centre + to.radius;
             return to;
@@ -121,6 +132,7 @@ public:
         }
         to.centre = 0.5 * (to.min + to.max);
         to.radius = 0.5 * glm::length(to.max - to.min);
+        check_size(from.min[0], to.radius);
         return to;
     }
 
@@ -148,7 +160,7 @@ public:
         CameraAt to;
         to.projection = from.projection;
         to.up = vector(from.up);
-        if (glm::length(to.up) == 0) fail(from.up[0], "`up` has no direction");
+        if (!has_direction(to.up)) fail(from.up[0], "`up` has no direction");
         to.fov = number(from.fov);
         if (!(to.fov > 0 && to.fov < 180)) {
             fail(from.fov, fmt::format("the field of view must be above 0 and below 180 degrees, "
@@ -167,39 +179,31 @@ public:
         const double reach = all.radius + glm::length(all.centre - to.target);
         if (from.position) {
             to.position = vector(*from.position);
-            if (to.position == to.target) {
-                fail((*from.position)[0], "the camera stands at its target; move one of them");
-            }
         } else {
             const double narrow = std::atan(slope * std::min(aspect, 1.0));
             const double distance =
-                from.distance ? number(*from.distance) : reach / std::sin(narrow);
-            if (!(distance > 0)) {
-                fail(*from.distance, fmt::format("the distance must be above 0, not {}", distance));
-            }
+                from.distance ? positive(*from.distance, "the distance") : reach / std::sin(narrow);
             to.position = to.target +
                           distance * on_orbit(to.up, number(from.azimuth), number(from.elevation));
         }
+        check_place(to);
         if (from.height) {
-            to.height = number(*from.height);
-            if (!(to.height > 0)) {
-                fail(*from.height, fmt::format("the height must be above 0, not {}", to.height));
-            }
+            to.height = long_enough(*from.height, "the height");
         } else if (from.position || from.distance) {
             // The height that a perspective camera there shows at the target.
             to.height = 2 * glm::length(to.position - to.target) * slope;
         } else {
             to.height = 2 * reach / std::min(aspect, 1.0);
         }
-        if (from.aperture) to.aperture = number(*from.aperture);
-        if (!(to.aperture >= 0)) {
-            fail(*from.aperture,
-                 fmt::format("the aperture must be 0 or above, not {}", to.aperture));
+        if (from.aperture) {
+            to.aperture = number(*from.aperture);
+            if (!(to.aperture >= 0)) {
+                fail(*from.aperture,
+                     fmt::format("the aperture must be 0 or above, not {}", to.aperture));
+            }
         }
-        to.focus = from.focus ? number(*from.focus) : glm::length(to.target - to.position);
-        if (!(to.focus > 0)) {
-            fail(*from.focus, fmt::format("the focus must be above 0, not {}", to.focus));
-        }
+        to.focus = from.focus ? long_enough(*from.focus, "the focus")
+                              : glm::length(to.target - to.position);
         return to;
     }
 
@@ -224,13 +228,13 @@ public:
                               : from.with_camera ? of_viewer(camera, vector(from.direction))
                                                  : vector(from.direction);
             light.is_point = from.is_point;
-            if (from.radius) light.radius = radius(from);
+            if (from.radius) light.radius = radius(from, *from.radius);
             if (from.falloff) light.falloff = positive(*from.falloff, "the distance");
             lights.push_back(light);
             if (light.is_point) continue;
-            const double length = glm::length(light.direction);
-            if (!(length > 0)) fail(from.direction[0], "the direction to the light has length 0");
-            lights.back().direction /= length;
+            if (!has_direction(light.direction))
+                fail(from.direction[0], "the direction to the light has length 0");
+            lights.back().direction = glm::normalize(light.direction);
         }
         return lights;
     }
@@ -242,10 +246,10 @@ public:
         case Material::Model::lambert:
             break;
         case Material::Model::blinn_phong:
-            return {within(*from.shininess, max_shininess), within(*from.specular, 1), 0, 0};
+            return {if_given(from.shininess, max_shininess), if_given(from.specular, 1), 0, 0};
         case Material::Model::ggx:
-            return {within(*from.roughness, 1), within(*from.metallic, 1),
-                    within(*from.specular, 1), 0};
+            return {if_given(from.roughness, 1), if_given(from.metallic, 1),
+                    if_given(from.specular, 1), 0};
         }
         return glm::dvec4(0);
     }
@@ -256,8 +260,9 @@ public:
         if (from.is_ball)
             return {true, vector(from.centre), not_negative(from.radius, "the radius")};
         const glm::dvec3 normal = vector(from.normal);
+        if (!has_direction(normal))
+            fail(from.normal[0], "the normal has length 0, and no direction");
         const double length = glm::length(normal);
-        if (!(length > 0)) fail(from.normal[0], "the normal has length 0, and no direction");
         return {false, normal / length,
                 glm::dot(normal / length, vector(from.point)) + number(from.offset)};
     }
@@ -300,15 +305,58 @@ public:
     }
 
 private:
-    double radius(const Light& light) const {
-        if (light.is_point) return not_negative(*light.radius, "the radius");
+    // Of a radius or a box's half diagonal, in formula coordinates. Squares of what is smaller
+    // leave the GPU's numbers: every ray was seen to miss, or to come to NaN.
+    void check_size(TrackId track, double size) const {
+        if (size >= limits::least_radius) return;
+        fail(track,
+             size > 0
+                 ? fmt::format("bounds of radius {:.2g} are too small for the GPU's numbers, which "
+                               "need {:g}: write the formula larger, and give `transform.scale`",
+                               size, limits::least_radius)
+                 : fmt::format("the radius must be above 0, not {}", size));
+    }
+
+    // The line of sight must have a direction, and the eye must be where the GPU can have it.
+    void check_place(const CameraAt& camera) const {
+        const Camera& from = scene_.camera;
+        constexpr double narrow = 1e-3; // degrees: narrower ones need an eye so far away
+        const TrackId of_framing = camera.fov < narrow ? from.fov
+                                   : scene_.surface.bounds.shape == Bounds::Shape::sphere
+                                       ? scene_.surface.bounds.radius
+                                       : scene_.surface.bounds.min[0];
+        const TrackId track = from.position   ? (*from.position)[0]
+                              : from.distance ? *from.distance
+                              : from.target   ? (*from.target)[0]
+                                              : of_framing;
+        if (!are_floats(camera.target) || !are_floats(camera.position)) {
+            fail(track, fmt::format("the camera comes to stand or to look beyond the range of "
+                                    "float ({:.2g}); make the scene smaller, or `fov` wider",
+                                    largest_float));
+        }
+        if (has_direction(camera.position - camera.target)) return;
+        fail(track, from.position ? "the camera stands at its target; move one of them"
+                                  : "the camera comes to stand at its target: it is nearer than "
+                                    "the digits of its coordinates tell; move the scene to the "
+                                    "origin, or the camera away");
+    }
+
+    double radius(const Light& light, TrackId radius) const {
+        if (light.is_point) return not_negative(radius, "the radius");
         constexpr double widest = 45; // degrees
-        return std::tan(glm::radians(within(*light.radius, widest)));
+        return std::tan(glm::radians(within(radius, widest)));
     }
     double positive(TrackId track, const char* what) const {
         const double value = number(track);
         if (!(value > 0)) fail(track, fmt::format("{} must be above 0, not {}", what, value));
         return value;
+    }
+    // Of a length whose parts rays are made of.
+    double long_enough(TrackId track, const char* what) const {
+        const double value = positive(track, what);
+        if (value >= limits::least_radius * number(scene_.surface.placement.scale)) return value;
+        fail(track, fmt::format("{} must be at least {:g} in the formula's coordinates, not {}",
+                                what, limits::least_radius, value));
     }
     double not_negative(TrackId track, const char* what) const {
         const double value = number(track);
@@ -323,14 +371,18 @@ private:
         return value;
     }
 
+    // A number that the material's model lacks is 0.
+    double if_given(const std::optional<TrackId>& track, double most) const {
+        return track ? within(*track, most) : 0;
+    }
+
     template<class Name> void check(double value, Name&& name) const {
         // Everything ends as a float on the GPU.
-        constexpr double most = std::numeric_limits<float>::max();
-        if (std::abs(value) <= most) return;
-        fail(name(),
-             std::isnan(value)
-                 ? "the value is not a number"
-                 : fmt::format("the value {} is beyond the range of float ({:.2g})", value, most));
+        if (std::abs(value) <= largest_float) return;
+        fail(name(), std::isnan(value)
+                         ? "the value is not a number"
+                         : fmt::format("the value {} is beyond the range of float ({:.2g})", value,
+                                       largest_float));
     }
 
     // The direction from the target to a camera on an orbit.

@@ -234,6 +234,24 @@ TEST_F(Machine, NoDriver) {
     EXPECT_EQ(run({"show", "sphere.toml", "--shader"}, circumstances).code, 0);
 }
 
+// Mesa crashes as it is loaded where it is told to use a driver that it doesn't have.
+TEST_F(Machine, ADriverThatCrashes) {
+    Circumstances circumstances = this->circumstances();
+    circumstances.environment["GALLIUM_DRIVER"] = "nope";
+    for (const Words& words :
+         {Words{"render", "sphere.toml", "--frames", "1", "-o", "a.png"},
+          Words{"accuracy", "sphere.toml", "--frames", "1"}, Words{"page", "sphere.toml"}}) {
+        const Ending ending = run(words, circumstances);
+        // Other drivers than Mesa's do not read the variable.
+        EXPECT_EQ(ending.signal, 0) << ending;
+        if (ending.code == 0) continue;
+        EXPECT_EQ(ending.code, 3) << ending;
+        EXPECT_THAT(ending.err, testing::AnyOf(HasSubstr("the OpenGL driver crashed while it was "
+                                                         "loaded; isomotion doctor"),
+                                               HasSubstr("no OpenGL context can be made here")));
+    }
+}
+
 TEST_F(Machine, OneBackEndIsAskedAlone) {
     Circumstances circumstances = this->circumstances();
     circumstances.environment["ISOMOTION_OSMESA"] = "/nonexistent/driver";

@@ -23,10 +23,16 @@ scene::Scene two_balls(double first, double key, double last, double level, bool
         first, key, last, v, first, v));
 }
 
+Timeline timeline_of(const scene::Scene& scene) {
+    AnalyseOptions how;
+    how.solids[0] = Side::negative;
+    return analyse(scene, how);
+}
+
 // The difference of the first two keys is rounded, and the level lies in the gap that this leaves.
 TEST(Keys, LeaveNoGapBetweenRules) {
     const scene::Scene scene = two_balls(133.67, 0.3, -0.2, 0.3000000000000057, false);
-    const Timeline timeline = analyse(scene, {.solids = {Side::negative, std::nullopt}});
+    const Timeline timeline = timeline_of(scene);
     ASSERT_EQ(timeline.events.size(), 2u);
     EXPECT_NE(timeline.events[0].kind, timeline.events[1].kind);
     for (const Event& event : timeline.events) {
@@ -46,8 +52,7 @@ TEST(Keys, AreNotSteppedOver) {
         // What the first rule comes to if its way is rounded.
         const double end = first + (key - first), level = key + number(0, 1) * (end - key);
         SCOPED_TRACE(fmt::format("{:.17g} {:.17g} {:.17g} level {:.17g}", first, key, last, level));
-        const Timeline timeline = analyse(two_balls(first, key, last, level, k % 2 == 1),
-                                          {.solids = {Side::negative, std::nullopt}});
+        const Timeline timeline = timeline_of(two_balls(first, key, last, level, k % 2 == 1));
         if (timeline.is_complete()) EXPECT_EQ(timeline.events.size(), 2u);
     }
 }
@@ -55,11 +60,10 @@ TEST(Keys, AreNotSteppedOver) {
 // An unresolved place at the first frame has an enclosure that begins before it, where no rule
 // holds.
 TEST(Keys, BeyondTheRangeTellNothing) {
-    const Timeline timeline = analyse(
+    const Timeline timeline = timeline_of(
         scene_of("[time]\nfps = 30\nframes = 61\n[parameters]\na = \"t\"\nb = \"t^3\"\n[surface]\n"
                  "formula = \"x^2 + y^2 + z^2 + a + b\"\n"
-                 "bounds = { box = [[-3, -3, -3], [3, 3, 3]] }\n"),
-        {.solids = {Side::negative, std::nullopt}});
+                 "bounds = { box = [[-3, -3, -3], [3, 3, 3]] }\n"));
     EXPECT_FALSE(timeline.start_is_proved && timeline.start == (Betti{1, 0, 0}));
 }
 

@@ -9,12 +9,6 @@ namespace {
 
 using namespace std::string_view_literals;
 
-std::uint32_t little_endian(std::span<const std::byte> bytes, std::size_t at) {
-    std::uint32_t number = 0;
-    for (std::size_t k = 4; k-- > 0;) number = number << 8 | std::uint32_t(bytes[at + k]);
-    return number;
-}
-
 // Calls take(bytes from its value on) for all attributes of that name and type. They are looked for
 // in all of the file: where a header ends is for its reader to say.
 template<class Take>
@@ -42,6 +36,12 @@ std::int64_t count_channels(std::span<const std::byte> list) {
 }
 
 } // namespace
+
+std::uint32_t little_endian(std::span<const std::byte> bytes, std::size_t at) {
+    std::uint32_t number = 0;
+    for (std::size_t k = 4; k-- > 0;) number = number << 8 | std::uint32_t(bytes[at + k]);
+    return number;
+}
 
 bool has_end_chunk(std::span<const std::byte> png) {
     constexpr std::size_t signature = 8, overhead = 12; // length, type and checksum of a chunk

@@ -8,6 +8,9 @@
 
 namespace isomotion::image::oiio {
 
+// The four bytes from `at` on, which must be there.
+std::uint32_t little_endian(std::span<const std::byte> bytes, std::size_t at);
+
 // OpenImageIO stops reading a PNG at its last row, so chunks after it may be missing. This function
 // follows them to the end chunk.
 bool has_end_chunk(std::span<const std::byte> png);

@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include "base/file.h"
+#include "exr_header.h"
 #include "first_look.h"
 #include "image/frame.h"
 
@@ -99,6 +100,8 @@ void check_before_opening(const std::string& file, const Signature& signature,
                                    limits.scans));
     }
     if (signature.reader == "openexr"sv) {
+        if (const std::string fault = fault_of_exr_headers(bytes); !fault.empty())
+            fail(file, "not a whole picture: " + fault);
         const ExrSizes sizes = exr_sizes(bytes);
         if (sizes.width == 0 || sizes.height == 0 || sizes.channels == 0) return; // no picture
         check_sides(file, sizes.width, sizes.height, limits);

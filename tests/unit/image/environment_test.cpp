@@ -104,18 +104,25 @@ std::string tiff_of_tiles(std::uint32_t width, std::uint32_t tile_width, std::ui
     return bytes;
 }
 
-/// The header of an EXR of 4 x 2 pixels in tiles of this size.
-std::string exr_of_tiles(std::uint32_t width, std::uint32_t height) {
+std::string little_endian(std::uint32_t value) {
+    std::string bytes;
+    for (int k = 0; k < 4; ++k) bytes += char(value >> 8 * k & 0xff);
+    return bytes;
+}
+
+/// An attribute of an EXR, which says to have so many bytes.
+std::string attribute_of_size(const std::string& name, const std::string& type,
+                              const std::string& value, std::uint32_t size) {
+    return name + '\0' + type + '\0' + little_endian(size) + value;
+}
+std::string attribute(const std::string& name, const std::string& type, const std::string& value) {
+    return attribute_of_size(name, type, value, std::uint32_t(value.size()));
+}
+
+/// The header of an EXR of 4 x 2 pixels in tiles of this size, with further attributes.
+std::string exr_of_tiles(std::uint32_t width, std::uint32_t height, const std::string& more = {}) {
     using namespace std::string_literals;
-    const auto number = [](std::uint32_t value) {
-        std::string bytes;
-        for (int k = 0; k < 4; ++k) bytes += char(value >> 8 * k & 0xff);
-        return bytes;
-    };
-    const auto attribute = [&](const std::string& name, const std::string& type,
-                               const std::string& value) {
-        return name + '\0' + type + '\0' + number(std::uint32_t(value.size())) + value;
-    };
+    const auto number = little_endian;
     std::string channels;
     for (const char* name : {"B", "G", "R"})
         channels += name + "\0"s + number(1) + number(0) + number(1) + number(1);
@@ -128,7 +135,7 @@ std::string exr_of_tiles(std::uint32_t width, std::uint32_t height) {
            attribute("pixelAspectRatio", "float", number(0x3f800000)) +
            attribute("screenWindowCenter", "v2f", number(0) + number(0)) +
            attribute("screenWindowWidth", "float", number(0x3f800000)) +
-           attribute("tiles", "tiledesc", number(width) + number(height) + '\0') +
+           attribute("tiles", "tiledesc", number(width) + number(height) + '\0') + more +
            std::string(1 + 8 + 32, '\0');
 }
 
@@ -394,6 +401,35 @@ TEST_F(EnvironmentFile, LimitsAreToldBeforeAnythingIsDecoded) {
     Frame many = plain(2, 1, 0, 0, 0);
     for (int k = 3; k < 17; ++k) many.channels.push_back({std::to_string(k), {0, 0}});
     EXPECT_THAT(mistake(write("a.exr", many)), HasSubstr("17 channels; 1 to 16"));
+}
+
+// OpenEXR takes the memory first, and OpenImageIO a time that grows with the attributes' square.
+TEST_F(EnvironmentFile, AttributesOfAnExrAreFollowedBeforeItIsOpened) {
+    const auto told = [&](const std::string& more) {
+        return mistake(write("a.exr", exr_of_tiles(4, 2, more)));
+    };
+    EXPECT_THAT(told(attribute_of_size("comments", "string", "few", 0x7fffffff)),
+                HasSubstr("its header's attribute 'comments' says 2147483647 bytes, and the file "
+                          "has 44 more"));
+    EXPECT_THAT(told(attribute_of_size("who", "else", "", 0xffffffff)),
+                HasSubstr("'who' says 4294967295 bytes"));
+    // A preview of 2^31 pixels, and values that would hide what comes behind them.
+    EXPECT_THAT(told(attribute("preview", "preview",
+                               little_endian(0x10000) + little_endian(0x8000) + "12345678")),
+                HasSubstr("'preview' says 16 bytes, which is no size of its type"));
+    EXPECT_THAT(told(attribute("extent", "float", "12345678")),
+                HasSubstr("'extent' says 8 bytes, which is no size of its type"));
+    EXPECT_THAT(told(attribute("more", "chlist", std::string(30, '\0'))),
+                HasSubstr("'more' says 30 bytes, which is no size of its type"));
+    EXPECT_THAT(told(std::string(300, 'x')), HasSubstr("its header is broken or cut short"));
+
+    std::string many;
+    for (int k = 0; k < 1500; ++k) many += attribute("a" + std::to_string(k), "int", "1234");
+    EXPECT_THAT(told(many), testing::Not(HasSubstr("its header")));
+    for (int k = 1500; k < 2000; ++k) many += attribute("a" + std::to_string(k), "int", "1234");
+    EXPECT_THAT(told(many), HasSubstr("more than 2000 attributes in its header"));
+    EXPECT_THAT(told(attribute("long", "string", std::string((16 << 20) + 1, 'x'))),
+                HasSubstr("a header of more than 16 MB"));
 }
 
 // libjpeg goes over all scans before it gives the first row.

@@ -64,6 +64,51 @@ TEST_F(Range, Camera) {
               ": camera.up.x at t = 2: `up` has no direction");
 }
 
+// The distance from eye to target is 0 in doubles, though it is not stated as 0, or its square is.
+TEST_F(Range, TheEyeKeepsADistanceThatDoublesTell) {
+    EXPECT_EQ(of_line(11, "position = [\"4*max(0, 1 - t) + 1e-200\", 0, 0]"),
+              ": camera.position.x at t = 2: the camera stands at its target; move one of them");
+    EXPECT_EQ(of_line(11, "position = [1e-150, 0, 0]"), "nothing is wrong");
+    const std::string at_target =
+        " at t = 2: the camera comes to stand at its target: it is nearer than the digits of its "
+        "coordinates tell; move the scene to the origin, or the camera away";
+    EXPECT_EQ(of_line(11, "distance = \"1e-200 + max(0, 1 - t)\""),
+              ": camera.distance" + at_target);
+    EXPECT_EQ(of_line(11, "target = [\"t*1e20\", \"t*1e20\", \"t*1e20\"]\ndistance = 4"),
+              ": camera.distance" + at_target);
+}
+
+TEST_F(Range, TheEyeStaysWithinFloats) {
+    const std::string beyond = " at t = 2: the camera comes to stand or to look beyond the range "
+                               "of float (3.4e+38); make the scene smaller, or `fov` wider";
+    EXPECT_EQ(of_line(11, "target = [\"t*1.5e38\", 0, 0]\ndistance = 3e38"),
+              ": camera.distance" + beyond);
+    std::string on_orbit = ball_with(12, "fov = { keys = [[0, 40], [1, 1e-300]] }");
+    const std::string position = "position = [4, 0, 0]";
+    on_orbit.replace(on_orbit.find(position), position.size(), "azimuth = 0");
+    EXPECT_EQ(at_two(on_orbit), "12: camera.fov" + beyond);
+}
+
+TEST_F(Range, LengthsOfTheCameraKeepTheirDigitsInFloats) {
+    EXPECT_EQ(of_line(12, "projection = \"orthographic\"\nheight = \"1e-200 + max(0, 1 - t)\""),
+              ": camera.height at t = 2: the height must be at least 1e-16 in the formula's "
+              "coordinates, not 1e-200");
+    EXPECT_EQ(of_line(12, "aperture = 1\nfocus = \"1e-200 + max(0, 1 - t)\""),
+              ": camera.focus at t = 2: the focus must be at least 1e-16 in the formula's "
+              "coordinates, not 1e-200");
+}
+
+TEST_F(Range, BoundsAreNotTooSmallForSquares) {
+    const std::string small = " are too small for the GPU's numbers, which need 1e-16: write the "
+                              "formula larger, and give `transform.scale`";
+    EXPECT_EQ(of_line(7, "bounds = { sphere = \"1.5*max(0, 1 - t) + 1e-200\" }"),
+              ": surface.bounds.sphere at t = 2: bounds of radius 1e-200" + small);
+    EXPECT_EQ(of_line(7, "bounds = { box = [[0, 0, 0], [1e-20, 0.75e-20, \"max(0, 1 - t) + "
+                         "1e-20\"]] }"),
+              ": surface.bounds.box.min.x at t = 2: bounds of radius 8e-21" + small);
+    EXPECT_EQ(of_line(7, "bounds = { box = [[0, 0, 0], [1e-20, 1e-20, 1]] }"), "nothing is wrong");
+}
+
 TEST_F(Range, Lights) {
     EXPECT_EQ(at_two(ball_and("[[lights]]\ndirection = [0, 0, 1]\n"
                               "[[lights]]\ndirection = [0, 0, \"2 - t\"]")),
