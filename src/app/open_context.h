@@ -10,8 +10,7 @@ namespace isomotion::app {
 
 // Throws std::invalid_argument for an unknown back end, and gpu::Unavailable. A driver that crashes
 // as it is loaded, as Mesa does with GALLIUM_DRIVER=nope, ends the program in words, with exit code
-// 3: it may not be tried in a process of its own first, since loading it takes as long as a small
-// picture.
+// 3.
 std::unique_ptr<gpu::Context> open_context(const std::string& backend);
 
 } // namespace isomotion::app

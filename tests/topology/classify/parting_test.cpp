@@ -52,6 +52,17 @@ TEST(Parting, IsKnownOfShells) {
     EXPECT_EQ(sides_of(shell, 0.1, 0.5), (std::vector{Sides::joined, Sides::apart}));
 }
 
+// A pocket with two mouths: one closes, and the inside still leads out through the other.
+TEST(Parting, IsNoneOfMouthsThatOthersJoin) {
+    for (const char* bounds : {"{ box = [[-1, -1, -1], [1, 1, 1]] }", "{ sphere = 1 }"}) {
+        SCOPED_TRACE(bounds);
+        const Moving pocket{"exp(-6*(x^2 + y^2 + (z + 0.5)^2)) + exp(-6*((x - 0.6)^2 + y^2 + z^2)) "
+                            "- p",
+                            bounds, "p = \"0.2 + 0.1*t\""};
+        EXPECT_EQ(sides_of(pocket, 0, 0.5), (std::vector{Sides::joined}));
+    }
+}
+
 // A slab that reaches the walls: above and below are joined beyond these.
 TEST(Parting, KnowsWhatIsOutside) {
     const Moving slab{"z^2 - 0.04 + 0.5*exp(-8*(x^2 + y^2)) - c",

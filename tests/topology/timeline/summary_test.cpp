@@ -32,6 +32,16 @@ TEST(Summary, TellsHowManyEventsAreProvedAgain) {
                 HasSubstr("\neach event proved again in ball arithmetic\ncomplete"));
 }
 
+TEST(Summary, TellsHowManySpansAreCountedAgain) {
+    TimelineRecord record = story();
+    record.timeline.recount = {5, 5};
+    EXPECT_THAT(summary(record),
+                HasSubstr("\nBetti numbers counted again between all events\ncomplete"));
+    record.timeline.recount = {5, 3};
+    EXPECT_THAT(summary(record),
+                HasSubstr("\nBetti numbers counted again in 3 of 5 spans between"));
+}
+
 TEST(Summary, NeverCallsCompleteWhatIsNot) {
     const auto with = [](auto&& edit) {
         TimelineRecord record = story();
