@@ -46,6 +46,7 @@ TEST(Keys, AreNotSteppedOver) {
     const auto number = [&](double low, double high) {
         return low + (high - low) * double(random()) / 0x1p32;
     };
+    int complete = 0;
     for (int k = 0; k < trials(24, 200); ++k) {
         const double first = std::pow(10, number(1, 9)), key = number(0.1, 0.9);
         const double last = key - number(0.2, 2);
@@ -53,8 +54,11 @@ TEST(Keys, AreNotSteppedOver) {
         const double end = first + (key - first), level = key + number(0, 1) * (end - key);
         SCOPED_TRACE(fmt::format("{:.17g} {:.17g} {:.17g} level {:.17g}", first, key, last, level));
         const Timeline timeline = timeline_of(two_balls(first, key, last, level, k % 2 == 1));
-        if (timeline.is_complete()) EXPECT_EQ(timeline.events.size(), 2u);
+        if (!timeline.is_complete()) continue;
+        ++complete;
+        EXPECT_EQ(timeline.events.size(), 2u);
     }
+    EXPECT_GT(complete, 0);
 }
 
 // An unresolved place at the first frame has an enclosure that begins before it, where no rule

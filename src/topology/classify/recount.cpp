@@ -15,11 +15,12 @@ namespace isomotion::topology {
 namespace {
 
 // Vertices along each side of the grids that are asked, one after the other.
-constexpr std::array sides{64, 128, 192};
+constexpr std::array sides{48, 96, 144};
 
-// A frame's proof takes as long as hundreds of grids, and mostly fails close to events. So only the
-// longest of the spans that grids contradict are proved.
-constexpr std::size_t most_proofs = 8;
+// Where hundreds of events crowd, grids tell little of the short spans between them, and would take
+// many times as long as the search: only the longest spans are counted. A frame's proof takes as
+// long as hundreds of grids, and mostly fails close to events.
+constexpr std::size_t most_spans = 100, most_proofs = 4;
 
 enum class Answer {
     unknown, // grids tell this or that
@@ -47,8 +48,9 @@ Recount recount(const Timeline& timeline, const Recounting& how) {
         const bool has_inside = step.time.lo < time && time < step.time.hi;
         if (step.is_proved && step.solid && has_inside) spans.push_back(step);
     }
-    // Where the proof is needed, the longest first, since it succeeds there.
+    const auto all_spans = int(spans.size());
     std::ranges::stable_sort(spans, std::greater{}, [](const Step& s) { return width(s.time); });
+    if (spans.size() > most_spans) spans.resize(most_spans);
     std::vector<Answer> answers(spans.size(), Answer::unknown);
     base::share({spans.size(), how.threads, how.stopped, how.progress}, [&] {
         return [&](std::size_t k) {
@@ -63,7 +65,7 @@ Recount recount(const Timeline& timeline, const Recounting& how) {
     base::share({doubted.size(), how.threads, how.stopped, {}}, [&] {
         return [&](std::size_t d) { proofs[d] = how.frame(mid(spans[doubted[d]].time)); };
     });
-    Recount all{int(spans.size()), int(std::ranges::count(answers, Answer::agrees))};
+    Recount all{all_spans, int(std::ranges::count(answers, Answer::agrees))};
     for (std::size_t d = 0; d < doubted.size(); ++d) {
         const Step& span = spans[doubted[d]];
         if (!proofs[d]) continue;

@@ -84,7 +84,7 @@ TEST(Recount, SaysNothingWithoutAProof) {
 TEST(Recount, AsksFinerGridsWhereCoarseOnesDiffer) {
     const Recounting how{.signs =
                              [](double time, int side) {
-                                 return side < 100 ? Betti{2, 0, 0} : truth(time);
+                                 return side < 90 ? Betti{2, 0, 0} : truth(time);
                              },
                          .frame = [](double) { return std::optional<Betti>(); }};
     EXPECT_EQ(recount(closes, how), (Recount{3, 3}));
