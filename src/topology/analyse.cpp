@@ -146,8 +146,8 @@ CountSigns signs_of(const MovingScene& frames) {
 }
 
 // Most frames that grids are too coarse for are close to events, where proofs fail late.
-constexpr int most_boxes_of_recount = 100'000;
-constexpr std::size_t most_cells_of_recount = 10'000;
+constexpr int most_boxes_of_recount = 50'000;
+constexpr std::size_t most_cells_of_recount = 5'000;
 
 void count_again(Timeline& timeline, const MovingScene& frames, const CountSigns& signs,
                  const AnalyseOptions& how, const SerialCallbacks& callbacks) {

