@@ -91,15 +91,15 @@ TEST_F(Range, TheEyeStaysWithinFloats) {
 
 TEST_F(Range, LengthsOfTheCameraKeepTheirDigitsInFloats) {
     EXPECT_EQ(of_line(12, "projection = \"orthographic\"\nheight = \"1e-200 + max(0, 1 - t)\""),
-              ": camera.height at t = 2: the height must be at least 1e-16 in the formula's "
+              ": camera.height at t = 2: the height must be at least 1e-18 in the formula's "
               "coordinates, not 1e-200");
     EXPECT_EQ(of_line(12, "aperture = 1\nfocus = \"1e-200 + max(0, 1 - t)\""),
-              ": camera.focus at t = 2: the focus must be at least 1e-16 in the formula's "
+              ": camera.focus at t = 2: the focus must be at least 1e-18 in the formula's "
               "coordinates, not 1e-200");
 }
 
 TEST_F(Range, BoundsAreNotTooSmallForSquares) {
-    const std::string small = " are too small for the GPU's numbers, which need 1e-16: write the "
+    const std::string small = " are too small for the GPU's numbers, which need 1e-18: write the "
                               "formula larger, and give `transform.scale`";
     EXPECT_EQ(of_line(7, "bounds = { sphere = \"1.5*max(0, 1 - t) + 1e-200\" }"),
               ": surface.bounds.sphere at t = 2: bounds of radius 1e-200" + small);
