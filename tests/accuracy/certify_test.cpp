@@ -234,6 +234,8 @@ certify = true
     if (!is_thorough()) return;
     for (const double size : {1e-3, 1e3}) EXPECT_GT(proved(size), 1000) << size;
     EXPECT_EQ(proved(1e25), 0);
+    // No picture of these can be right, and none is drawn.
+    for (const double size : {1e-30, 1e-20}) EXPECT_THROW(proved(size), scene::SceneError) << size;
 }
 
 TEST_P(Certify, EveryPixelHasAnOutcome) {

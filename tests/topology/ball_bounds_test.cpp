@@ -57,7 +57,8 @@ TEST(BallBounds, AreAWallLikeAnother) {
             formula += fmt::format(" - exp(-{:.3f}*({} + {} + {}))", 4 + 2 * number(random),
                                    drift("x"), drift("y"), drift("z"));
         }
-        const std::string level = fmt::format("s = \"t\"\nL = \"0.45 + {:.3f}*t\"", 0.25 * number(random));
+        const std::string level =
+            fmt::format("s = \"t\"\nL = \"0.45 + {:.3f}*t\"", 0.25 * number(random));
         const double radius = 1 + 0.2 * number(random);
         SCOPED_TRACE(fmt::format("seed {}: {}, {}, radius {}", seed, formula, level, radius));
         const Moving in_ball{formula, fmt::format("{{ sphere = {} }}", radius), level, in_a_second};

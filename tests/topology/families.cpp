@@ -2,29 +2,14 @@
 
 #include <array>
 #include <cmath>
-#include <random>
 #include <vector>
 
 #include <fmt/format.h>
 
+#include "topology/chance.h"
+
 namespace isomotion::topology {
 namespace {
-
-// Distributions of the standard library differ from machine to machine; these don't.
-class Chance {
-public:
-    explicit Chance(unsigned seed)
-        : random_(seed) {}
-
-    double number(double low, double high) {
-        return low + (high - low) * double(random_()) / 0x1p32;
-    }
-    int below(int count) { return int(random_() % unsigned(count)); }
-    bool is_one_in(int count) { return below(count) == 0; }
-
-private:
-    std::mt19937 random_;
-};
 
 std::string list(Chance& chance, int count, double low, double high) {
     std::string text = "[";

@@ -1,11 +1,11 @@
 // Events at keys of a motion, where one rule ends and the next begins.
 #include <cmath>
-#include <random>
 
 #include <gtest/gtest.h>
 
 #include "thorough.h"
 #include "topology/analyse.h"
+#include "topology/chance.h"
 #include "topology/scenes.h"
 
 namespace isomotion::topology {
@@ -42,16 +42,13 @@ TEST(Keys, LeaveNoGapBetweenRules) {
 }
 
 TEST(Keys, AreNotSteppedOver) {
-    std::mt19937 random(7);
-    const auto number = [&](double low, double high) {
-        return low + (high - low) * double(random()) / 0x1p32;
-    };
+    Chance chance(7);
     int complete = 0;
     for (int k = 0; k < trials(24, 200); ++k) {
-        const double first = std::pow(10, number(1, 9)), key = number(0.1, 0.9);
-        const double last = key - number(0.2, 2);
+        const double first = std::pow(10, chance.number(1, 9)), key = chance.number(0.1, 0.9);
+        const double last = key - chance.number(0.2, 2);
         // What the first rule comes to if its way is rounded.
-        const double end = first + (key - first), level = key + number(0, 1) * (end - key);
+        const double end = first + (key - first), level = key + chance.number(0, 1) * (end - key);
         SCOPED_TRACE(fmt::format("{:.17g} {:.17g} {:.17g} level {:.17g}", first, key, last, level));
         const Timeline timeline = timeline_of(two_balls(first, key, last, level, k % 2 == 1));
         if (!timeline.is_complete()) continue;

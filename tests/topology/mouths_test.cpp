@@ -2,7 +2,6 @@
 // of bells at random against counts on grids of three resolutions.
 #include <cstdio>
 #include <cstdlib>
-#include <random>
 
 #include <gtest/gtest.h>
 
@@ -10,6 +9,7 @@
 #include "topology/analyse.h"
 #include "topology/betti/certified_frame.h"
 #include "topology/betti/frame_signs.h"
+#include "topology/chance.h"
 #include "topology/scenes.h"
 #include "topology/solids.h"
 #include "topology/timeline/steps.h"
@@ -17,15 +17,9 @@
 namespace isomotion::topology {
 namespace {
 
-class RandomMouths {
+class RandomMouths : public Chance {
 public:
-    explicit RandomMouths(unsigned seed)
-        : random_(seed) {}
-
-    double number(double low, double high) {
-        return low + (high - low) * double(random_()) / 0x1p32;
-    }
-    int below(int count) { return int(random_() % unsigned(count)); }
+    using Chance::Chance;
 
     // Two to six bells, most of them near a wall, an edge or a corner.
     std::string scene() {
@@ -56,9 +50,6 @@ public:
                                    : "{ box = [[-1, -1, -1], [\"s\", \"s\", \"s\"]] }",
                            middle, number(0.03, 0.12), size);
     }
-
-private:
-    std::mt19937 random_;
 };
 
 // Checks each span of a timeline; returns how many were compared: those of which all grids tell the
@@ -124,6 +115,7 @@ TEST_P(TwoMouths, CloseATunnel) {
     }
     EXPECT_EQ(kinds, (std::vector{Kind::tunnel_closes, Kind::tunnel_opens}));
     EXPECT_EQ(timeline.events.front().after, (Betti{1, 0, 0}));
+    EXPECT_EQ(timeline.recount, (Recount{3, 3}));
 }
 
 INSTANTIATE_TEST_SUITE_P(Bounds, TwoMouths,

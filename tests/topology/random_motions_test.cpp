@@ -2,28 +2,22 @@
 //
 // Frames are certified from the values that they are drawn with, Animation::at(), which knows
 // nothing of rules and their knots.
-#include <random>
-
 #include <gtest/gtest.h>
 
 #include "thorough.h"
 #include "topology/analyse.h"
 #include "topology/betti/certified_frame.h"
+#include "topology/chance.h"
 #include "topology/scenes.h"
 #include "topology/timeline/steps.h"
 
 namespace isomotion::topology {
 namespace {
 
-class RandomMotion {
+class RandomMotion : public Chance {
 public:
-    explicit RandomMotion(unsigned seed)
-        : random_(seed) {}
+    using Chance::Chance;
 
-    double number(double low, double high) {
-        return low + (high - low) * double(random_()) / 0x1p32;
-    }
-    int below(int count) { return int(random_() % unsigned(count)); }
     std::string one_of(std::initializer_list<const char*> texts) {
         return texts.begin()[below(int(texts.size()))];
     }
@@ -93,8 +87,6 @@ private:
             "{{ keys = [{}], ease = \"{}\" }}", text,
             one_of({"linear", "smooth", "smooth", "cubic", "linear", "cubic", "hold"}));
     }
-
-    std::mt19937 random_;
 };
 
 // True if anything was compared.

@@ -3,6 +3,7 @@
 // tell, the answer is known.
 #include <cmath>
 
+#include "scene/error.h"
 #include "view.h"
 
 namespace isomotion::truth {
@@ -165,9 +166,15 @@ TEST(FirstRoot, OfAPowerOf0WhoseExponentComesTo0IsNoCertainHit) {
     }
 }
 
-// Squares of lengths overflow in the shader: no ray is known. Lengths whose squares underflow are
-// refused as the scene is read (scene_at.cpp).
+// Squares of lengths overflow in the shader: no ray is known. Scenes in which they underflow are
+// refused with file, line and key, as no picture of them can be right.
 TEST(FirstRoot, BeyondTheRangeOfFloatsIsUndecided) {
+    for (const char* size : {"1e-30", "1e-20"}) {
+        EXPECT_THROW(
+            along_z(fmt::format("z/{}", size), {.bounds = fmt::format("{{ sphere = {} }}", size)}),
+            scene::SceneError)
+            << size;
+    }
     for (const char* size : {"1e20", "1e30"}) {
         const View view =
             along_z(fmt::format("z/{}", size), {.bounds = fmt::format("{{ sphere = {} }}", size)});

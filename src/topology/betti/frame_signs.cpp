@@ -8,6 +8,7 @@
 #include "formula/enclosure.h"
 #include "formula/evaluate/evaluate.h"
 #include "scene/near_elements.h"
+#include "topology/field/ball_as_cube.h"
 #include "topology/field/space_point.h"
 
 namespace isomotion::topology {
@@ -85,10 +86,31 @@ std::array<std::vector<double>, 3> places_of(const scene::BoundsAt& bounds, int 
     return at;
 }
 
-bool is_within(const scene::BoundsAt& bounds, const glm::dvec3& p) {
-    return bounds.shape == scene::Bounds::Shape::box ||
-           glm::distance(p, bounds.centre) <= bounds.radius;
-}
+// The grid fills the bounds. A ball is taken for a cube, since the steps of a grid along a sphere
+// would be tunnels and components of a solid that reaches it.
+class Vertices {
+public:
+    Vertices(const scene::BoundsAt& bounds, int side)
+        : at_(places_of(bounds, side)) {
+        if (bounds.shape != scene::Bounds::Shape::sphere) return;
+        ball_.emplace(bounds);
+        at_ = places_of(BallAsCube::cube(), side);
+    }
+
+    // Holds the part of space between two vertices.
+    SpaceBox box(const std::array<int, 3>& first, const std::array<int, 3>& last) const {
+        SpaceBox box;
+        for (std::size_t i = 0; i < 3; ++i)
+            box[i] = {at_[i][std::size_t(first[i])], at_[i][std::size_t(last[i])]};
+        return ball_ ? ball_->place(box) : box;
+    }
+    // Of a box the vertex itself; in a ball it is known to some rounding.
+    SpaceBox box(const std::array<int, 3>& vertex) const { return box(vertex, vertex); }
+
+private:
+    std::array<std::vector<double>, 3> at_;
+    std::optional<BallAsCube> ball_;
+};
 
 // One thread's work: a layer of blocks, `whole` vertices high. For most blocks an enclosure tells
 // the sign at all of their vertices; in the others these are evaluated.
@@ -98,11 +120,10 @@ public:
                Side solid, SignGrid& grid, Work& work)
         : evaluators_(evaluators)
         , frame_(frame)
-        , bounds_(bounds)
         , solid_(solid)
         , grid_(grid)
         , work_(work)
-        , at_(places_of(bounds, grid.side())) {
+        , vertices_(bounds, grid.side()) {
         if (frame.by_place) boxes_.emplace(frame.by_place->programs().value, *frame.by_place);
     }
 
@@ -141,28 +162,18 @@ private:
         for (int z = block.first[2]; z <= block.last[2]; ++z) {
             for (int y = block.first[1]; y <= block.last[1]; ++y) {
                 for (int x = block.first[0]; x <= block.last[0]; ++x) {
-                    if (is_inside(x, y, z)) act(std::array{x, y, z});
+                    act(std::array{x, y, z});
                 }
             }
         }
-    }
-
-    bool is_inside(int x, int y, int z) const {
-        return is_within(bounds_,
-                         {at_[0][std::size_t(x)], at_[1][std::size_t(y)], at_[2][std::size_t(z)]});
     }
 
     // The blocks with vertices on both sides, as far as is known.
     std::vector<Block> undecided(std::span<const Block> blocks) {
         work_.add(double(blocks.size()) * frame_.near.of_box);
         if (work_.is_over()) return {};
-        std::array<std::vector<formula::Interval>, 3> boxes;
-        for (const Block& one : blocks) {
-            for (std::size_t i = 0; i < 3; ++i) {
-                boxes[i].emplace_back(at_[i][std::size_t(one.first[i])],
-                                      at_[i][std::size_t(one.last[i])]);
-            }
-        }
+        std::vector<SpaceBox> boxes;
+        for (const Block& one : blocks) boxes.push_back(vertices_.box(one.first, one.last));
         const std::vector<formula::Interval> f = enclosures(boxes);
         std::vector<Block> open;
         for (std::size_t k = 0; k < blocks.size(); ++k) {
@@ -179,10 +190,8 @@ private:
     std::vector<std::array<int, 3>> undecided_near(std::span<const std::array<int, 3>> vertices) {
         work_.add(double(vertices.size()) * frame_.near.of_point);
         if (work_.is_over()) return {};
-        std::array<std::vector<formula::Interval>, 3> places;
-        for (const auto& v : vertices) {
-            for (std::size_t i = 0; i < 3; ++i) places[i].emplace_back(at_[i][std::size_t(v[i])]);
-        }
+        std::vector<SpaceBox> places;
+        for (const auto& v : vertices) places.push_back(vertices_.box(v));
         const std::vector<formula::Interval> f = enclosures(places);
         std::vector<std::array<int, 3>> open;
         for (std::size_t k = 0; k < vertices.size(); ++k) {
@@ -196,11 +205,14 @@ private:
         return open;
     }
 
-    std::vector<formula::Interval>
-    enclosures(const std::array<std::vector<formula::Interval>, 3>& boxes) {
-        std::vector<formula::Interval> f(boxes[0].size());
-        const std::array<std::span<const formula::Interval>, 3> inputs{boxes[0], boxes[1],
-                                                                       boxes[2]};
+    std::vector<formula::Interval> enclosures(std::span<const SpaceBox> boxes) {
+        std::array<std::vector<formula::Interval>, 3> sides;
+        for (const SpaceBox& box : boxes) {
+            for (std::size_t i = 0; i < 3; ++i) sides[i].push_back(box[i]);
+        }
+        std::vector<formula::Interval> f(boxes.size());
+        const std::array<std::span<const formula::Interval>, 3> inputs{sides[0], sides[1],
+                                                                       sides[2]};
         const std::array<std::span<formula::Interval>, 1> outputs{f};
         if (boxes_)
             boxes_->points(inputs, outputs);
@@ -214,7 +226,8 @@ private:
     void evaluate(std::span<const std::array<int, 3>> vertices) {
         std::array<std::vector<double>, 3> points;
         for (const auto& v : vertices) {
-            for (std::size_t i = 0; i < 3; ++i) points[i].push_back(at_[i][std::size_t(v[i])]);
+            const SpacePoint p = middle(vertices_.box(v));
+            for (std::size_t i = 0; i < 3; ++i) points[i].push_back(p[i]);
         }
         work_.add(double(vertices.size()) * frame_.all.of_point);
         if (work_.is_over()) return;
@@ -229,11 +242,10 @@ private:
 
     SignEvaluators& evaluators_;
     const FrameValues& frame_;
-    const scene::BoundsAt& bounds_;
     Side solid_;
     SignGrid& grid_;
     Work& work_;
-    const std::array<std::vector<double>, 3> at_;
+    const Vertices vertices_;
     std::optional<elements::BoxesByPlace> boxes_;
 };
 
@@ -319,19 +331,16 @@ SignGrid frame_signs(const formula::Field& field, const formula::Bindings<double
 
 SignGrid frame_signs(const SpaceFormula& formula, const scene::BoundsAt& bounds, int side) {
     FrameField field(formula);
-    const auto at = places_of(bounds, side);
+    const Vertices vertices(bounds, side);
     SignGrid grid(side);
     std::vector<SpaceBox> row(std::size_t(side), SpaceBox{});
     std::vector<formula::Interval> values(row.size());
     for (int z = 0; z < side; ++z) {
         for (int y = 0; y < side; ++y) {
-            for (std::size_t x = 0; x < row.size(); ++x)
-                row[x] = {at[0][x], at[1][std::size_t(y)], at[2][std::size_t(z)]};
+            for (int x = 0; x < side; ++x) row[std::size_t(x)] = vertices.box({x, y, z});
             field.values(field.everything(), row, values);
             for (int x = 0; x < side; ++x) {
-                const SpacePoint p = middle(row[std::size_t(x)]);
-                if (values[std::size_t(x)].hi < 0 && is_within(bounds, {p[0], p[1], p[2]}))
-                    grid.set(x, y, z);
+                if (values[std::size_t(x)].hi < 0) grid.set(x, y, z);
             }
         }
     }

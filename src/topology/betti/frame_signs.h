@@ -37,9 +37,9 @@ private:
     std::atomic<double> done_ = 0;
 };
 
-// Vertices from one corner of the bounds' box to the other, `side` (at least 2) in each direction.
-// A vertex is not solid if it is outside of the bounds, or if F there is 0 or NaN. `threads`: 0 for
-// as many as the machine runs at once.
+// Vertices from one corner of the bounds' box to the other, `side` (at least 2) in each direction;
+// in a ball those of the cube that it is taken for (ball_as_cube.h). A vertex is not solid if F
+// there is 0 or NaN. `threads`: 0 for as many as the machine runs at once.
 SignGrid frame_signs(const formula::Field& field, const formula::Bindings<double>& bindings,
                      const scene::BoundsAt& bounds, Side solid, int side, int threads = 0);
 

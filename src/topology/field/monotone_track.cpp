@@ -2,11 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "animation/rules.h"
 #include "formula/graph/continuity.h"
 #include "formula/graph/derivative.h"
+#include "topology/field/motion.h"
 
 namespace isomotion::topology {
 namespace {
@@ -195,12 +195,7 @@ std::optional<MonotoneTrack::Time> MonotoneTrack::settled(const Piece& piece, In
 std::vector<MonotoneTrack::Time> MonotoneTrack::times(Interval value) const {
     std::vector<Time> found;
     for (const Piece& piece : pieces_) {
-        // At a key a rule has the key's value but for the rounding of the time between keys: so
-        // what one rule comes to just beyond its end, the next may have begun with.
-        const double doubt = 4 * std::numeric_limits<double>::epsilon() * magnitude(piece.range);
-        const Interval with_ends =
-            intersect({piece.range.lo - doubt, piece.range.hi + doubt}, range_);
-        std::vector<Interval> open{with_ends};
+        std::vector<Interval> open{intersect(with_ends_in_doubt(piece.range), range_)};
         while (!open.empty()) {
             std::vector<Interval> halves;
             const bool are_too_many = open.size() > most_open;

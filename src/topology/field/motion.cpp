@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <limits>
 
 #include <fmt/format.h>
 
@@ -291,6 +292,12 @@ void find_steps(const Motion& motion, std::vector<std::string>& doubts) {
 
 bool depends_on_clock(const Motion& motion) {
     return reads(motion, clock_input) || reads(motion, time_input);
+}
+
+Interval with_ends_in_doubt(Interval clock) {
+    constexpr double doubt = 4 * std::numeric_limits<double>::epsilon();
+    const double by = doubt * magnitude(clock);
+    return {clock.lo - by, clock.hi + by};
 }
 
 Motions motions(const scene::Scene& scene, Side side, Interval range, Clock clock) {

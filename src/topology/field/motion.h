@@ -66,6 +66,11 @@ void find_not_positive(const formula::Graph& graph, std::span<const formula::Nod
 // Whether the solid or its bounds depend on the clock.
 bool depends_on_clock(const Motion& motion);
 
+// The clock of a piece, with what is in doubt of its ends: the time between two keys is rounded, so
+// a rule comes to the value of its last key a little before or after that key. A root in between
+// may be the next rule's, too.
+formula::Interval with_ends_in_doubt(formula::Interval clock);
+
 // The motions of the scene's surface while the time is in `range`.
 Motions motions(const scene::Scene& scene, Side side, formula::Interval range,
                 Clock clock = Clock::track_if_one);

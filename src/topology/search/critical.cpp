@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
-#include <limits>
 
 #include <fmt/format.h>
 
@@ -106,14 +105,6 @@ Event event_of(int stratum, int index, bool grows, bool changes_solid) {
     }
     if (event.kind != Kind::unknown) event.kind_proof = "index";
     return event;
-}
-
-// A key's time less the one before it is rounded, so a rule comes to the value of its last key a
-// little before or after that key. A root in between may be the next rule's, too.
-Interval with_ends_in_doubt(Interval clock) {
-    constexpr double doubt = 4 * std::numeric_limits<double>::epsilon();
-    const double by = doubt * magnitude(clock);
-    return {clock.lo - by, clock.hi + by};
 }
 
 // Points at the ends of a piece of the motion.

@@ -89,7 +89,7 @@ struct Unresolved {
 // with the one that told their numbers (classify/recount.h).
 struct Recount {
     int spans = 0;
-    int agree = 0; // the others are finer than any grid that was asked, and had no proof
+    int agree = 0; // of the others nothing is known: too short to be asked, or finer than grids
 
     bool operator==(const Recount&) const = default;
 };

@@ -144,6 +144,7 @@ Steps steps_of(const Timeline& timeline) {
         if (const auto add = change(timeline, all.instants[k]); !next && here && add) {
             next = *here + *add;
         }
+        if (next && !next->is_possible()) next.reset();
     }
     // The end's own number stands for the end, whatever the last event says that it leaves.
     if (timeline.end && (count > 0 || !all.steps.back().solid)) {

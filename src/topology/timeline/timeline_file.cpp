@@ -119,7 +119,10 @@ Betti read_betti(const base::DocumentNode& node) {
 
 // The solid's numbers. Those of the surface follow from them, and are checked if they are there.
 Betti read_solid(base::DocumentTable& object) {
-    const Betti solid = read_betti(object.at("solid"));
+    const base::DocumentNode numbers = object.at("solid");
+    const Betti solid = read_betti(numbers);
+    if (!solid.is_possible())
+        numbers.fail("cannot be: without a component there is no tunnel and no void");
     if (const auto surface = object.find("surface")) {
         const Betti follows = surface_of(solid);
         if (read_betti(*surface) != follows) {

@@ -61,7 +61,7 @@ std::string any_text(std::mt19937_64& random) {
 
 std::optional<Betti> any_betti(std::mt19937_64& random) {
     if (random() % 4 == 0) return std::nullopt;
-    return Betti{int(random() % 1000), int(random() % 3), int(random() % 1'000'000)};
+    return Betti{1 + int(random() % 1000), int(random() % 3), int(random() % 1'000'000)};
 }
 
 TimelineRecord any_record(std::mt19937_64& random) {
@@ -222,6 +222,8 @@ TEST(TimelineFile, MistakesNameTheKey) {
         {"\"solid\":[2,0,0]", "\"solid\":[5,0,0]",
          "events[0].after.surface: contradicts the solid"
          "'s; its surface has [5,0,5]"},
+        {"\"solid\":[2,0,0],\"surface\":[2,0,2]", "\"solid\":[0,1,0],\"surface\":[0,2,0]",
+         "events[0].after.solid: cannot be: without a component"},
         {"\"unresolved\": []", "\"unresolved\": {}", "unresolved: must be a list, in [ ]"},
         {"\"unresolved\": []", "\"unresolved\": [3]", "unresolved[0]: must be an object, in { }"},
         {"\"doubts\": []", "\"doubts\": [null]", "doubts[0]: must be a text"},
