@@ -1,3 +1,4 @@
+// Says in words that code of others crashed.
 #pragma once
 
 #include <string>
@@ -7,12 +8,12 @@
 
 namespace isomotion::base {
 
-/// While it lives, a crash of the process (SIGSEGV, SIGABRT and their kin, in any thread) writes
-/// these words to the standard error and ends the process with this exit status, instead of with
-/// the signal. It costs a few system calls, and no child process. One at a time.
-///
-/// For code of others that may crash, such as a driver that is loaded. Nothing of the process is
-/// put in order, so it belongs where no file is half written.
+// While it lives, a crash of the process (SIGSEGV, SIGABRT and their kin, in any thread) writes
+// these words to the standard error and ends the process with this exit status, instead of with the
+// signal. It costs a few system calls, and no child process. Only one may live at a time.
+//
+// It serves code that may crash, such as a driver that is loaded. The process cleans up nothing
+// before it ends, so no file may be half written meanwhile.
 class LastWords {
 public:
     LastWords(std::string words, int exit_status);

@@ -305,8 +305,8 @@ public:
     }
 
 private:
-    // Of a radius or a box's half diagonal, in formula coordinates. Squares of what is smaller
-    // leave the GPU's numbers: every ray was seen to miss, or to come to NaN.
+    // Checks a radius or a box's half diagonal, in formula coordinates. The GPU's numbers don't
+    // hold the squares of smaller ones: every ray was seen to miss, or to come to NaN.
     void check_size(TrackId track, double size) const {
         if (size >= limits::least_radius) return;
         fail(track,
@@ -351,7 +351,7 @@ private:
         if (!(value > 0)) fail(track, fmt::format("{} must be above 0, not {}", what, value));
         return value;
     }
-    // Of a length whose parts rays are made of.
+    // Reads a length that rays are scaled by.
     double long_enough(TrackId track, const char* what) const {
         const double value = positive(track, what);
         if (value >= limits::least_radius * number(scene_.surface.placement.scale)) return value;

@@ -104,7 +104,7 @@ public:
             box[i] = {at_[i][std::size_t(first[i])], at_[i][std::size_t(last[i])]};
         return ball_ ? ball_->place(box) : box;
     }
-    // Of a box the vertex itself; in a ball it is known to some rounding.
+    // Holds a vertex; in a ball its place is rounded.
     SpaceBox box(const std::array<int, 3>& vertex) const { return box(vertex, vertex); }
 
 private:
