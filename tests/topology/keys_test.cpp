@@ -11,16 +11,25 @@
 namespace isomotion::topology {
 namespace {
 
+// A track that falls to a key's value, and on.
+struct Fall {
+    double first, key, last;
+    double at = 1; // the time of the key, in seconds; the last one is at 2
+    std::string ease = "linear";
+};
+
 // A ball dies and another one is born at the moment at which v falls through a level, which lies
 // next to a key's value. `through_time` adds a motion by time, so that v is no clock.
-scene::Scene two_balls(double first, double key, double last, double level, bool through_time) {
+scene::Scene two_balls(const Fall& fall, double level, bool through_time) {
     const std::string v = fmt::format("(v{} - {:.17g})", through_time ? " + w - w" : "", level);
     return scene_of(fmt::format(
         "[time]\nfps = 30\nframes = 61\n[parameters]\n"
-        "v = {{ keys = [[0, {:.17g}], [1, {:.17g}], [2, {:.17g}]] }}\n{}\n[surface]\n"
+        "v = {{ keys = [[0.1, {:.17g}], [{:.17g}, {:.17g}], [2, {:.17g}]], ease = \"{}\" }}\n{}\n"
+        "[surface]\n"
         "formula = \"min((x + 2)^2 + y^2 + z^2 - {}/{:.17g}, (x - 2)^2 + y^2 + z^2 + {})\"\n"
         "bounds = {{ box = [[-4, -4, -4], [4, 4, 4]] }}\n",
-        first, key, last, through_time ? "w = \"0.001*t\"" : "", v, first, v));
+        fall.first, fall.at, fall.key, fall.last, fall.ease, through_time ? "w = \"0.001*t\"" : "",
+        v, fall.first, v));
 }
 
 Timeline timeline_of(const scene::Scene& scene) {
@@ -31,7 +40,7 @@ Timeline timeline_of(const scene::Scene& scene) {
 
 // The difference of the first two keys is rounded, and the level lies in the gap that this leaves.
 TEST(Keys, LeaveNoGapBetweenRules) {
-    const scene::Scene scene = two_balls(133.67, 0.3, -0.2, 0.3000000000000057, false);
+    const scene::Scene scene = two_balls({133.67, 0.3, -0.2}, 0.3000000000000057, false);
     const Timeline timeline = timeline_of(scene);
     ASSERT_EQ(timeline.events.size(), 2u);
     EXPECT_NE(timeline.events[0].kind, timeline.events[1].kind);
@@ -45,12 +54,16 @@ TEST(Keys, AreNotSteppedOver) {
     Chance chance(7);
     int complete = 0;
     for (int k = 0; k < trials(24, 200); ++k) {
-        const double first = std::pow(10, chance.number(1, 9)), key = chance.number(0.1, 0.9);
-        const double last = key - chance.number(0.2, 2);
+        Fall fall{std::pow(10, chance.number(1, 9)), chance.number(0.1, 0.9), 0};
+        fall.last = fall.key - chance.number(0.2, 2);
+        if (k % 3 > 0) fall.at = chance.number(0.5, 1.5);
+        fall.ease = k % 4 == 3 ? "smooth" : "linear";
         // What the first rule comes to if its way is rounded.
-        const double end = first + (key - first), level = key + chance.number(0, 1) * (end - key);
-        SCOPED_TRACE(fmt::format("{:.17g} {:.17g} {:.17g} level {:.17g}", first, key, last, level));
-        const Timeline timeline = timeline_of(two_balls(first, key, last, level, k % 2 == 1));
+        const double end = fall.first + (fall.key - fall.first);
+        const double level = fall.key + chance.number(0, 1) * (end - fall.key);
+        SCOPED_TRACE(fmt::format("{:.17g}, at {:.17g} s {:.17g}, {:.17g}, {}; level {:.17g}",
+                                 fall.first, fall.at, fall.key, fall.last, fall.ease, level));
+        const Timeline timeline = timeline_of(two_balls(fall, level, k % 2 == 1));
         if (!timeline.is_complete()) continue;
         ++complete;
         EXPECT_EQ(timeline.events.size(), 2u);
