@@ -6,12 +6,29 @@
 
 #include "base/file_stamp.h"
 #include "base/printable.h"
+#include "scene/data_folder.h"
+#include "scene/error.h"
 #include "scene/files_read.h"
+#include "scene/reading/load.h"
 
 namespace isomotion::app {
 namespace fs = std::filesystem;
 
-Inputs::Inputs(const scene::Scene& scene) {
+Inputs::Inputs(const scene::Scene& scene) { add(scene); }
+
+Inputs Inputs::of_gallery() {
+    Inputs inputs;
+    for (const std::string& name : scene::animation_names()) {
+        inputs.add(scene::animation_file(name));
+        try {
+            inputs.add(scene::load(name));
+        } catch (const scene::SceneError&) { // its own file is known
+        }
+    }
+    return inputs;
+}
+
+void Inputs::add(const scene::Scene& scene) {
     for (const fs::path& file : scene::files_read(scene)) add(file);
 }
 

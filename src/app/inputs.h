@@ -17,6 +17,8 @@ namespace isomotion::app {
 class Inputs {
 public:
     explicit Inputs(const scene::Scene& scene);
+    // Of all animations, also of those that have mistakes.
+    static Inputs of_gallery();
 
     // Another file that the command reads; empty: none.
     void add(const std::filesystem::path& file);
@@ -28,6 +30,9 @@ public:
     void expect_apart(std::string_view option, const sequence::SequenceName& frames) const;
 
 private:
+    Inputs() = default;
+    void add(const scene::Scene& scene);
+
     using Identity = std::pair<std::uint64_t, std::uint64_t>; // device and inode
     std::map<Identity, std::filesystem::path> files_;
 };

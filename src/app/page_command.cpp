@@ -171,6 +171,8 @@ int write_gallery(const PageArguments& arguments) {
     fs::create_directories(folder);
     const auto context = open_context(arguments.backend);
     const std::vector<std::string> names = scene::animation_names();
+    const Inputs inputs = Inputs::of_gallery();
+    inputs.expect_apart("-o", folder / "index.html");
     Progress progress("writing pages", int(names.size()), arguments.quiet);
     std::vector<page::GalleryEntry> entries;
     std::vector<std::string> left_out, shown; // with and without the scene's path
@@ -187,7 +189,6 @@ int write_gallery(const PageArguments& arguments) {
         }
         try {
             const scene::Scene scene = scene::load(name, {"output.size=[256,256]"});
-            const Inputs inputs(scene);
             for (const char* extension : {".png", ".html"})
                 inputs.expect_apart("-o", folder / (name + extension));
             const std::string text = page::page(scene);

@@ -23,9 +23,12 @@ player::PlayOptions with_frames(player::PlayOptions options, const std::string& 
 }
 
 void expect_log_apart(const player::PlayOptions& options) {
-    if (options.log.empty() || options.scene.empty()) return;
-    Inputs(scene::load(options.scene, options.overrides, options.reach))
-        .expect_apart("--log", options.log);
+    if (options.log.empty()) return;
+    const Inputs inputs =
+        options.scene.empty()
+            ? Inputs::of_gallery()
+            : Inputs(scene::load(options.scene, options.overrides, options.reach));
+    inputs.expect_apart("--log", options.log);
 }
 
 int play_in_window(const player::PlayOptions& options) {

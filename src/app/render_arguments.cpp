@@ -82,9 +82,9 @@ std::optional<int> audit_of(const std::string& text) {
     return rays;
 }
 
-std::vector<int> frames_of(const RenderArguments& arguments, const scene::Scene& scene) {
-    if (arguments.frames == "poster") return {scene.output.poster};
-    if (!arguments.frames.empty()) return animation::parse_frame_range(arguments.frames);
+std::vector<int> frames_of(const std::string& text, const scene::Scene& scene) {
+    if (text == "poster") return {scene.output.poster};
+    if (!text.empty()) return animation::parse_frame_range(text);
     return animation::parse_frame_range(fmt::format("1-{}", scene.timeline.frames));
 }
 
@@ -215,9 +215,8 @@ sequence::Exporter exporter_of(const RenderArguments& arguments) {
     sequence::ExportOptions options;
     options.stage = render::parse_stage(arguments.stage);
     options.channels = parse_channels(arguments.channels);
-    options.frames = frames_of(arguments, scene);
-    if (!arguments.part_of.empty())
-        options.part_of = animation::parse_frame_range(arguments.part_of);
+    options.frames = frames_of(arguments.frames, scene);
+    if (!arguments.part_of.empty()) options.part_of = frames_of(arguments.part_of, scene);
     options.output = output_of(arguments, scene);
     options.bits = arguments.bits;
     options.audit = audit_of(arguments.audit);

@@ -6,12 +6,12 @@
 #include <csignal>
 #include <cstdio>
 #include <mutex>
-#include <string_view>
 
 #include <unistd.h>
 
 #include "app/commands.h"
 #include "app/console.h"
+#include "base/write_at_once.h"
 
 namespace isomotion::app {
 namespace {
@@ -28,18 +28,22 @@ bool is_ignored(int signal) {
            now.sa_handler == SIG_IGN; // NOLINT: the standard's macro casts
 }
 
-void handle(int signal, void (*handler)(int), int flags) {
+void handle(int signal, void (*handler)(int)) {
     if (is_ignored(signal)) return;
     struct sigaction action {};
     action.sa_handler = handler;
-    action.sa_flags = flags;
     sigaction(signal, &action, nullptr);
 }
 
 void end_at_once(int) {
-    constexpr std::string_view words = "stopped\n";
-    [[maybe_unused]] const auto written = ::write(STDERR_FILENO, words.data(), words.size());
+    base::write_at_once(STDERR_FILENO, "stopped\n");
     ::_exit(exit_interrupted);
+}
+
+// The second time the program ends at once. A terminal that closes is told of by the system and by
+// the shell, so that two hangups are one.
+void ask_to_stop(int signal) {
+    if (stop.exchange(true) && signal != SIGHUP) end_at_once(signal);
 }
 
 // Ends the process in place of a thread that is in a driver's hands.
@@ -61,14 +65,12 @@ void watch(const std::stop_token& over) {
 } // namespace
 
 void end_on_signal() {
-    for (const int signal : signals) handle(signal, end_at_once, 0);
+    for (const int signal : signals) handle(signal, end_at_once);
 }
 
 StopOnSignal::StopOnSignal() {
     stop = heard = begun = false;
-    for (const int signal : signals)
-        handle(
-            signal, [](int) { stop = true; }, static_cast<int>(SA_RESETHAND));
+    for (const int signal : signals) handle(signal, ask_to_stop);
     watch_ = std::jthread(watch);
 }
 

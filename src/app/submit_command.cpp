@@ -70,7 +70,7 @@ public:
         job_.folder = fs::current_path();
         job_.scene = scene::word_of(exporter.scene());
         job_.output = fs::absolute(exporter.options().output);
-        job_.frames = animation::frame_range(frames_);
+        job_.frames = all_frames(); // as short as they were written
         for (const std::string& movie : render.movies) job_.movies.push_back(fs::absolute(movie));
         job_.options = words_of(arguments.picture);
         if (arguments.engine == "slurm") Inputs(exporter.scene()).expect_apart("-o", script());

@@ -6,6 +6,8 @@
 
 #include <unistd.h>
 
+#include "base/write_at_once.h"
+
 namespace isomotion::base {
 namespace {
 
@@ -17,8 +19,7 @@ std::size_t length = 0;
 int status = 0;
 
 extern "C" void end_with_words(int) {
-    // Nothing is left to do where the words cannot be written.
-    [[maybe_unused]] const ssize_t written = ::write(STDERR_FILENO, text, length);
+    write_at_once(STDERR_FILENO, {text, length});
     ::_exit(status);
 }
 

@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "base/workers.h"
+#include "scene/error.h"
 #include "topology/betti/frame_signs.h"
 #include "topology/classify/recount.h"
 #include "topology/field/common_solid.h"
@@ -149,6 +150,7 @@ CountSigns signs_of(const MovingScene& frames) {
 constexpr int most_boxes_of_recount = 50'000;
 constexpr std::size_t most_cells_of_recount = 5'000;
 
+// Takes the signs of the scene's own field, if there is one.
 void count_again(Timeline& timeline, const MovingScene& frames, const CountSigns& signs,
                  const AnalyseOptions& how, const SerialCallbacks& callbacks) {
     callbacks.show("second opinion", 0);
@@ -156,7 +158,15 @@ void count_again(Timeline& timeline, const MovingScene& frames, const CountSigns
     limits.boxes = most_boxes_of_recount;
     limits.cells = most_cells_of_recount;
     Recounting counting;
-    counting.signs = signs;
+    const CountSigns of_motions = signs_of(frames);
+    counting.signs = [&](double time, int grid) {
+        if (!signs) return of_motions(time, grid);
+        try {
+            return signs(time, grid);
+        } catch (const scene::SceneError&) { // of the camera, say, between frames
+            return of_motions(time, grid);
+        }
+    };
     counting.frame = [&](double time) { return frames.certify(time, limits).betti; };
     counting.threads = threads_of(how);
     counting.stopped = limits.stopped;
@@ -226,8 +236,7 @@ Timeline proved(Timeline timeline, const Motions& motions, const AnalyseOptions&
         confirming.stopped = limits.stopped;
         prove_again(timeline, ArbVerifier(motions), confirming);
     }
-    if (!callbacks.stopped())
-        count_again(timeline, frames, signs ? signs : signs_of(frames), how, callbacks);
+    if (!callbacks.stopped()) count_again(timeline, frames, signs, how, callbacks);
     if (callbacks.stopped()) {
         if (!is_late) timeline.doubts.emplace_back("interrupted while kinds were proved");
         timeline.is_proved = false;

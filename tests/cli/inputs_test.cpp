@@ -21,9 +21,12 @@ protected:
                "bounds = { sphere = 3 }\n[arrays.p]\nfile = '" +
                table + "'\n";
     }
-    void expect_refused(const Words& words, const std::string& option, const std::string& input) {
+    void expect_refused(const Words& words, const std::string& option, const std::string& input,
+                        const std::string& data = ISOMOTION_SOURCE_DIR) {
         const std::string before = bytes(input);
-        const Ending ending = run(words);
+        Circumstances circumstances = this->circumstances();
+        circumstances.environment["ISOMOTION_DATA"] = data;
+        const Ending ending = run(words, circumstances);
         EXPECT_EQ(ending.code, 2) << ending;
         EXPECT_THAT(ending.err, testing::StartsWith(option + " "));
         EXPECT_THAT(ending.err, HasSubstr("would replace"));
@@ -55,6 +58,17 @@ TEST_F(InputsStay, WhateverTheFrame) {
     for (const char* verb : {"render", "submit"})
         expect_refused({verb, "named.toml", "-o", "f.####.png"}, "-o", "a.0003.csv");
     EXPECT_FALSE(fs::exists(*this / "f.0001.png"));
+}
+
+// Without a scene the window shows the gallery, and may read any of it.
+TEST_F(InputsStay, WhateverOfTheGallery) {
+    fs::create_directories(*this / "data/shaders");
+    fs::create_directories(*this / "data/animations");
+    write("data/animations/c.toml",
+          "[surface]\nformula = 'x^2 + y^2 + z^2 - 1'\nbounds.sphere = 2\n");
+    write("data/animations/wrong.toml", "[surface]\n");
+    for (const std::string name : {"data/animations/c.toml", "data/animations/wrong.toml"})
+        expect_refused({"play", "--log", name}, "--log", name, (*this / "data").string());
 }
 
 } // namespace

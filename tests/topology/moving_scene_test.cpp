@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "thorough.h"
+#include "topology/analyse.h"
 #include "topology/betti/frame_signs.h"
 #include "topology/scenes.h"
 #include "topology/search/critical.h"
@@ -120,6 +121,17 @@ TEST(MovingScene, WhileAParameterHasNoValueNothingIsProved) {
             bound, c, more));
         EXPECT_FALSE(find_events(scene, Side::negative, {0, 0.2}, {.smallest = 1e-4}).is_proved);
     }
+}
+
+// The second count of a span asks for its middle, which need be no frame: there the camera stands
+// at its target, which no picture could show and no proof asks for.
+TEST(MovingScene, ACameraBetweenFramesIsNoMatter) {
+    const Timeline timeline = analyse(
+        scene_of("[time]\nfps = 10\nframes = 12\n[surface]\nformula = \"x^2 + y^2 + z^2 - 1\"\n"
+                 "bounds.box = [[-2, -2, -2], [2, 2, 2]]\n"
+                 "[camera]\ntarget = [0, 0, 0]\nposition = [\"5.5 - 10*t\", 0, 0]\n"));
+    EXPECT_TRUE(timeline.is_complete());
+    EXPECT_EQ(timeline.recount, (Recount{1, 1}));
 }
 
 } // namespace

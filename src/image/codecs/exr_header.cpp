@@ -108,17 +108,19 @@ std::string fault_of_exr_headers(std::span<const std::byte> exr) {
     Rest rest(exr);
     rest.number(); // the signature
     const auto version = rest.number();
-    const std::string broken = "its header is broken or cut short";
+    const std::string broken = "not a whole picture: its header is broken or cut short";
     if (!version) return broken;
     const std::size_t begin = rest.size();
     for (std::size_t count = 0; !rest.is_at_zero(); ++count) {
         if (count == most_attributes)
-            return fmt::format("more than {} attributes in its header", most_attributes);
+            return fmt::format(
+                "more than {} attributes in its header, which is the most that is read",
+                most_attributes);
         const auto name = rest.word(), type = rest.word();
         const auto size = rest.number();
         if (!name || !type || !size) return broken;
-        const std::string what =
-            fmt::format("its header's attribute '{}'", base::printable_line(std::string(*name)));
+        const std::string what = fmt::format("not a whole picture: its header's attribute '{}'",
+                                             base::printable_line(std::string(*name)));
         if (*size > rest.size())
             return fmt::format("{} says {} bytes, and the file has {} more", what, *size,
                                rest.size());
@@ -126,7 +128,8 @@ std::string fault_of_exr_headers(std::span<const std::byte> exr) {
             return fmt::format("{} says {} bytes, which is no size of its type", what, *size);
         rest.skip(*size);
         if (begin - rest.size() > most_bytes)
-            return fmt::format("a header of more than {} MB", most_bytes >> 20);
+            return fmt::format("a header of more than {} MB, which is the most that is read",
+                               most_bytes >> 20);
         // A zero ends a part's header; behind the last part's there is another.
         if (rest.is_at_zero() && (*version & has_parts)) rest.skip(1);
     }

@@ -101,7 +101,7 @@ void check_before_opening(const std::string& file, const Signature& signature,
     }
     if (signature.reader == "openexr"sv) {
         if (const std::string fault = fault_of_exr_headers(bytes); !fault.empty())
-            fail(file, "not a whole picture: " + fault);
+            fail(file, fault);
         const ExrSizes sizes = exr_sizes(bytes);
         if (sizes.width == 0 || sizes.height == 0 || sizes.channels == 0) return; // no picture
         check_sides(file, sizes.width, sizes.height, limits);

@@ -35,10 +35,10 @@ std::string proved_again(const Timeline& timeline) {
 // A line of its own; empty if there is nothing to tell.
 std::string counted_again(const Recount& recount) {
     if (recount.spans == 0) return "";
-    if (recount.agree == recount.spans) return "\nBetti numbers counted again between all events";
-    return fmt::format("\nBetti numbers counted again in {} of {} spans between events; the others "
-                       "are too short, or too fine for grids",
-                       recount.agree, recount.spans);
+    return fmt::format(
+        "\nBetti numbers counted again in {} of {} proved spans between events{}", recount.agree,
+        recount.spans,
+        recount.agree < recount.spans ? "; the others are too short, or too fine for grids" : "");
 }
 
 } // namespace

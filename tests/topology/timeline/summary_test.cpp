@@ -35,11 +35,14 @@ TEST(Summary, TellsHowManyEventsAreProvedAgain) {
 TEST(Summary, TellsHowManySpansAreCountedAgain) {
     TimelineRecord record = story();
     record.timeline.recount = {5, 5};
-    EXPECT_THAT(summary(record),
-                HasSubstr("\nBetti numbers counted again between all events\ncomplete"));
+    EXPECT_THAT(
+        summary(record),
+        HasSubstr("\nBetti numbers counted again in 5 of 5 proved spans between events\ncomplete"));
     record.timeline.recount = {5, 3};
-    EXPECT_THAT(summary(record),
-                HasSubstr("\nBetti numbers counted again in 3 of 5 spans between"));
+    EXPECT_THAT(
+        summary(record),
+        HasSubstr(
+            "\nBetti numbers counted again in 3 of 5 proved spans between events; the others"));
 }
 
 TEST(Summary, NeverCallsCompleteWhatIsNot) {
