@@ -92,22 +92,28 @@ Field with_walls(Field field, double distance) {
     return field;
 }
 
+GlslSignature value_signature() { return {"float field(vec3 p)", "float", {"p.x", "p.y", "p.z"}}; }
+
+GlslSignature directional_signature() {
+    return {"vec2 field_directional(vec3 p, vec3 d)",
+            "vec2",
+            {"p.x", "p.y", "p.z", "d.x", "d.y", "d.z"}};
+}
+
+GlslSignature gradient_signature() {
+    return {"vec3 field_gradient(vec3 p)", "vec3", {"p.x", "p.y", "p.z"}};
+}
+
 std::string glsl_value(const Field& field) {
-    return emit_glsl(field.value, {"float field(vec3 p)", "float", {"p.x", "p.y", "p.z"}},
-                     field.packing);
+    return emit_glsl(field.value, value_signature(), field.packing);
 }
 
 std::string glsl_directional(const Field& field) {
-    return emit_glsl(field.directional,
-                     {"vec2 field_directional(vec3 p, vec3 d)",
-                      "vec2",
-                      {"p.x", "p.y", "p.z", "d.x", "d.y", "d.z"}},
-                     field.packing);
+    return emit_glsl(field.directional, directional_signature(), field.packing);
 }
 
 std::string glsl_gradient(const Field& field) {
-    return emit_glsl(field.gradient, {"vec3 field_gradient(vec3 p)", "vec3", {"p.x", "p.y", "p.z"}},
-                     field.packing);
+    return emit_glsl(field.gradient, gradient_signature(), field.packing);
 }
 
 } // namespace isomotion::formula

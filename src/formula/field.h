@@ -43,6 +43,9 @@ Field with_elements_of(Field field, const Program& beside);
 Field with_walls(Field field, double distance);
 
 // float field(vec3 p); vec2 field_directional(vec3 p, vec3 d); vec3 field_gradient(vec3 p)
+GlslSignature value_signature();
+GlslSignature directional_signature();
+GlslSignature gradient_signature();
 std::string glsl_value(const Field& field);
 std::string glsl_directional(const Field& field);
 std::string glsl_gradient(const Field& field);

@@ -70,7 +70,11 @@ int evaluations_of_a_beam(const synthesis::Passes& passes, const formula::Field&
                           synthesis::BeamLists lists) {
     // Where lists are made for smaller blocks, these walk the rest of the way at a smaller price.
     const double most = lists == synthesis::BeamLists::whole ? 8 : 64;
-    const double sums = formula::cost(field.value, elements_by_place(passes)).iterations;
+    using synthesis::FieldFunction;
+    const FieldFunction bounds =
+        passes.tapes ? FieldFunction::value_interval : FieldFunction::value; // as many loops
+    const double sums =
+        synthesis::cost(field, passes, {bounds}, elements_by_place(passes)).iterations;
     const double fitting = 0.5 * loop_iterations_per_pass / (1 + sums);
     return int(synthesis::has_lists(passes) ? most : std::min(most, fitting));
 }

@@ -26,6 +26,21 @@ struct GridBuffers {
     }
 };
 
+// Tapes and where they lie (formula/tape/tape_cells.h).
+struct TapeBuffers {
+    gpu::IntegerBuffer words{gpu::IntegerBuffer::Texel::two};
+    gpu::IntegerBuffer spans{gpu::IntegerBuffer::Texel::two};
+
+    void update(const formula::TapeCells& tapes) {
+        words.update(tapes.words);
+        spans.update(tapes.spans);
+    }
+    void bind(PassTable& table) const {
+        table.bind("tape_words", words);
+        table.bind("tape_spans", spans);
+    }
+};
+
 class FieldBuffers {
 public:
     // `listed`: space, in elements, for the lists behind each array that has lists.
@@ -43,6 +58,10 @@ public:
             if (!grid_) grid_.emplace();
             grid_->update(*inputs.grid);
         }
+        if (inputs.tapes) {
+            if (!tapes_) tapes_.emplace();
+            tapes_->update(*inputs.tapes);
+        }
         for (std::size_t a = 0; a < arrays_.size(); ++a) arrays_[a].update(inputs.arrays[a]);
         bind(table);
     }
@@ -50,6 +69,7 @@ public:
     // Binds what was uploaded last.
     void bind(PassTable& table) const {
         if (grid_) grid_->bind(table);
+        if (tapes_) tapes_->bind(table);
         table.bind("Parameters", parameters_);
         for (const ArrayBuffer& array : arrays_) array.bind(table);
     }
@@ -60,6 +80,7 @@ public:
 private:
     gpu::UniformBuffer parameters_;
     std::optional<GridBuffers> grid_;
+    std::optional<TapeBuffers> tapes_;
     std::vector<ArrayBuffer> arrays_;
     bool has_lists_;
 };

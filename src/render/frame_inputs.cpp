@@ -1,5 +1,6 @@
 #include "render/frame_inputs.h"
 
+#include <functional>
 #include <limits>
 #include <span>
 #include <stdexcept>
@@ -10,6 +11,7 @@
 #include "render/light_beams.h"
 #include "scene/near_elements.h"
 #include "synthesis/effect.h"
+#include "synthesis/tape_text.h"
 
 namespace isomotion::render {
 namespace {
@@ -19,12 +21,18 @@ template<class T> void add_value(base::Fingerprint& print, const T& value) {
 }
 
 void add(base::Fingerprint& print, const FieldInputs& field) {
-    const auto& [parameters, arrays, grid] = field; // of which the parameters describe the rest
+    // The parameters describe the rest.
+    const auto& [parameters, arrays, grid, tapes] = field;
     print.add(parameters);
     for (const auto& texels : arrays) print.add_values(std::span<const glm::vec4>(texels));
-    if (!grid) return;
-    print.add_words(std::as_bytes(std::span(grid->cells)));
-    print.add_words(std::as_bytes(std::span(grid->listed)));
+    if (grid) {
+        print.add_words(std::as_bytes(std::span(grid->cells)));
+        print.add_words(std::as_bytes(std::span(grid->listed)));
+    }
+    if (tapes) {
+        print.add_words(std::as_bytes(std::span(tapes->spans)));
+        print.add_words(std::as_bytes(std::span(tapes->words)));
+    }
 }
 
 void add(base::Fingerprint& print, const ViewInputs& view) {
@@ -75,12 +83,24 @@ elements::ElementGrid grid_of(const elements::GridMaker& maker, const scene::Sce
     return grid;
 }
 
+formula::TapeCells tapes_of(const scene::SceneAt& at, const InputLayout& layout) {
+    std::vector<std::reference_wrapper<const formula::TapeFunction>> functions;
+    for (const synthesis::FieldFunction function : layout.functions_run)
+        functions.emplace_back(layout.passes.tapes->function(function));
+    std::array<formula::Interval, 3> box;
+    for (int k = 0; k < 3; ++k)
+        box[std::size_t(k)] = {at.bounds.min[k], at.bounds.max[k]};
+    return formula::tape_cells(functions, at.bindings.parameters, box, layout.tape_limits);
+}
+
 FieldInputs field_inputs(const scene::Scene& scene, const scene::SceneAt& at,
                          const InputLayout& layout) {
     const synthesis::Passes& passes = layout.passes;
     FieldInputs field;
     if (layout.grid) field.grid = grid_of(*layout.grid, at, layout);
+    if (passes.tapes) field.tapes = tapes_of(at, layout);
     field.parameters = parameter_block(passes, at, field.grid ? &*field.grid : nullptr);
+    if (field.tapes) describe_tapes(passes, layout.functions_run, *field.tapes, field.parameters);
     for (std::size_t a = 0; a < passes.arrays.size(); ++a) {
         field.arrays.push_back(array_texels(scene, passes, at, a));
     }

@@ -16,6 +16,7 @@
 
 #include "base/fingerprint.h"
 #include "elements/grid_maker.h"
+#include "formula/tape/tape_cells.h"
 #include "render/element_radius.h"
 #include "render/motion.h"
 #include "render/proof_rays.h"
@@ -32,6 +33,7 @@ struct FieldInputs {
     std::vector<std::byte> parameters;          // block Parameters
     std::vector<std::vector<glm::vec4>> arrays; // the elements of each, packed
     std::optional<elements::ElementGrid> grid;  // of the array whose elements are found by place
+    std::optional<formula::TapeCells> tapes;    // of the functions that an interpreter runs
 };
 
 // Rays, and the beams of blocks of them.
@@ -95,6 +97,8 @@ struct InputLayout {
     // For the array whose elements are found by place, otherwise null.
     const elements::GridMaker* grid = nullptr;
     elements::GridLimits grid_limits{};
+    std::vector<synthesis::FieldFunction> functions_run{}; // as tapes
+    formula::TapeLimits tape_limits{};
     // Limit of the elements that a shader can sum at a place.
     std::uint32_t most_elements_at_a_place = 0;
 };

@@ -101,7 +101,7 @@ Proofs::Proofs(const synthesis::Passes& passes, const scene::Scene& scene, const
     , block_pieces_(std::min(
           most_pieces_of_block,
           pieces_of_draw(
-              synthesis::cost_of_block_piece(*scene.surface.field, elements_of_piece(passes)),
+              synthesis::cost_of_block_piece(*scene.surface.field, passes, elements_of_piece(passes)),
               double(blocks_across(plan.tile_width)) * blocks_across(plan.tile_height))))
     , natural_{Role::proof, cost_that_fits(cost_of_piece(passes, scene, ProofBounds::natural))}
     , of_coarse_blocks_(blocks_across(plan.tile_width, synthesis::coarse_proved_block),
@@ -174,7 +174,8 @@ void Proofs::prove_rays(PassTable& table, const Pieces& by, const RayThickness& 
 
 const std::optional<Proofs::Pieces>& Proofs::closer_pieces(const PassTable& table) {
     if (!closer_) {
-        const bool in_doubles = may_take_doubles_ && can_trust_doubles(table.spare_unit());
+        const bool in_doubles = may_take_doubles_ && table.has(Role::double_proof) &&
+                                can_trust_doubles(table.spare_unit());
         const auto bounds = in_doubles ? ProofBounds::in_doubles : ProofBounds::by_gradient;
         const formula::Cost piece = cost_of_piece(passes_, scene_, bounds);
         closer_.emplace();

@@ -33,6 +33,13 @@ double loops_of(const formula::Program& program, const std::vector<int>& counts)
     return formula::cost(program, counts).iterations;
 }
 
+using synthesis::FieldFunction;
+
+double loops_of(const scene::Scene& scene, const synthesis::Passes& passes, FieldFunction function,
+                const std::vector<int>& counts) {
+    return synthesis::cost(*scene.surface.field, passes, {function}, counts).iterations;
+}
+
 // How often a pixel's shader asks for the surface's colour: a mirror weighs what it shows by it,
 // and the surface seen in it does both again.
 int colours_of_a_pixel(const scene::Scene& scene) {
@@ -52,7 +59,8 @@ int colours_of_a_pixel(const scene::Scene& scene) {
 double shade_iterations(const scene::Scene& scene, const synthesis::Passes& passes,
                         const std::vector<int>& counts) {
     const double gradient =
-        passes.march_takes_gradient ? 0.0 : loops_of(scene.surface.field->gradient, counts);
+        passes.march_takes_gradient ? 0.0
+                                    : loops_of(scene, passes, FieldFunction::gradient, counts);
     const auto loops_of_paint = [&](const formula::Paint& paint) {
         const bool all = synthesis::sums_all_elements(paint, passes);
         return loops_of(paint.value, all ? capacities(passes) : counts);
@@ -70,17 +78,17 @@ double shade_iterations(const scene::Scene& scene, const synthesis::Passes& pass
 // The passes that don't march must fit the loop limit, too; they know no lists.
 void expect_shadeable(const scene::Scene& scene, const synthesis::Passes& passes,
                       const std::vector<int>& counts) {
-    const formula::Field& field = *scene.surface.field;
+    const double gradient = loops_of(scene, passes, FieldFunction::gradient, counts);
     if (passes.has(synthesis::Role::surface)) {
         // Occlusion takes up to eight samples at the end of a ray (shaders/effects/end_of_ray.glsl)
         // and five of its surroundings, each in one draw.
         const double occlusion = passes.has(synthesis::Role::occlusion)
-                                     ? 5 * loops_of(field.gradient, counts)
+                                     ? 5 * gradient
                                      : 0.0; // of several surfaces: six values and five gradients
         // Glass looks for the side that a ray goes on from, too.
         const int samples = passes.has(synthesis::Role::glass) ? 16 : 8;
-        const double end = std::max(loops_of(field.gradient, counts), occlusion) +
-                           samples * loops_of(field.value, counts);
+        const double end = std::max(gradient, occlusion) +
+                           samples * loops_of(scene, passes, FieldFunction::value, counts);
         if (end > loop_iterations_per_pass) {
             throw std::length_error(
                 fmt::format("shadows, mirrors and other effects sum {:.0f} terms a pixel; a "
@@ -103,7 +111,9 @@ void expect_shadeable(const scene::Scene& scene, const synthesis::Passes& passes
                         "{:.0f}: draw fewer elements or no paint",
                         sums, loop_iterations_per_pass));
     }
-    expect_drawable(formula::cost(field.gradient, counts).operations);
+    expect_drawable(
+        synthesis::cost(*scene.surface.field, passes, {FieldFunction::gradient}, counts)
+            .operations);
 }
 
 // What an evaluation goes through where elements are found by place, beside its lists, in
@@ -114,7 +124,7 @@ double turns_beside_lists(const scene::Scene& scene, const synthesis::Passes& pa
     others[array] = 0;
     const bool over_boxes = std::ranges::any_of(passes.samples, synthesis::is_on_intervals);
     const double turns =
-        1 + synthesis::cost(*scene.surface.field, passes.samples, others).iterations;
+        1 + synthesis::cost(*scene.surface.field, passes, passes.samples, others).iterations;
     return over_boxes ? synthesis::most_cells_of_box * turns : turns;
 }
 
@@ -139,7 +149,7 @@ MarchPlan plan_of_march(const scene::Scene& scene, const synthesis::Passes& pass
     std::vector<int> usual = elements_by_place(passes);
     if (synthesis::has_lists(passes)) usual[0] = std::min(usual[0], usual_list);
     const auto by_place = synthesis::array_with_grid(passes);
-    formula::Cost cost = synthesis::cost(*scene.surface.field, passes.samples, usual);
+    formula::Cost cost = synthesis::cost(*scene.surface.field, passes, passes.samples, usual);
     expect_shadeable(scene, passes, by_place ? usual : counts);
     cost.iterations = std::max(cost.iterations, shade_iterations(scene, passes, usual));
     const MarchPlan fitting =
@@ -164,7 +174,7 @@ MarchPlan plan_of_march(const scene::Scene& scene, const synthesis::Passes& pass
 
 int without_lists(const scene::Scene& scene, const synthesis::Passes& passes, int planned) {
     const formula::Cost all =
-        synthesis::cost(*scene.surface.field, passes.samples, capacities(passes));
+        synthesis::cost(*scene.surface.field, passes, passes.samples, capacities(passes));
     const int fitting = int(loop_iterations_per_pass / (1 + all.iterations));
     return std::clamp(of_a_part(scene, fitting), 1, planned);
 }
@@ -187,7 +197,7 @@ std::uint32_t most_at_a_place(const scene::Scene& scene, const synthesis::Passes
 float budget_of_elements(const scene::Scene& scene, const synthesis::Passes& passes) {
     const auto once = std::vector<int>(passes.arrays.size(), 1);
     const double loops =
-        std::max(1.0, synthesis::cost(*scene.surface.field, passes.samples, once).iterations);
+        std::max(1.0, synthesis::cost(*scene.surface.field, passes, passes.samples, once).iterations);
     return float((1 - part_of_others) * loop_iterations_per_pass / loops /
                  synthesis::parts_of_a_ray(scene));
 }

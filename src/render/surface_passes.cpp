@@ -8,6 +8,7 @@
 #include "scene/surfaces.h"
 #include "synthesis/inlined_size.h"
 #include "synthesis/surfaces_text.h"
+#include "synthesis/tape_text.h"
 
 namespace isomotion::render {
 namespace {
@@ -122,6 +123,7 @@ SurfacePasses::SurfacePasses(PlannedSurface planned, const RenderOptions& option
         listed += light_beams->listed();
     }
     field.emplace(passes, listed);
+    if (passes.tapes) functions_run_ = synthesis::functions_run(passes);
     if (const auto array = synthesis::array_with_grid(passes))
         grid_maker_ = elements::GridMaker::of(*scene.surface.field, *array);
 }
@@ -130,11 +132,15 @@ InputLayout SurfacePasses::layout(int width, int height) const {
     const int light_side =
         light_beams ? std::min(light_beams->most_pixels(), light_pixels(width, height)) : 0;
     InputLayout all{passes, width, height, light_side};
+    const int threads =
+        threads_ > 0 ? threads_ : std::max(1, int(std::thread::hardware_concurrency()));
+    all.functions_run = functions_run_;
+    all.tape_limits.threads = threads;
+    all.tape_limits.instructions = std::min(all.tape_limits.instructions, most_listed_);
     if (!grid_maker_) return all;
     all.grid = &*grid_maker_;
     all.most_elements_at_a_place = plan.most_elements_at_a_place;
-    all.grid_limits.threads =
-        threads_ > 0 ? threads_ : std::max(1, int(std::thread::hardware_concurrency()));
+    all.grid_limits.threads = threads;
     all.grid_limits.listed = std::min(all.grid_limits.listed, most_listed_);
     return all;
 }

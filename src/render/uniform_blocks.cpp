@@ -6,6 +6,7 @@
 #include <span>
 
 #include "scene/ray_rounding.h"
+#include "synthesis/tape_text.h"
 
 namespace isomotion::render {
 namespace {
@@ -141,6 +142,23 @@ std::vector<glm::vec4> array_texels(const scene::Scene& scene, const synthesis::
         }
     }
     return texels;
+}
+
+void describe_tapes(const synthesis::Passes& passes,
+                    std::span<const synthesis::FieldFunction> functions,
+                    const formula::TapeCells& tapes, std::vector<std::byte>& block) {
+    const auto vec = [](const std::array<double, 3>& v) { return glm::dvec3(v[0], v[1], v[2]); };
+    std::array<glm::vec4, synthesis::tape_vectors> described{};
+    described[0] = wide(vec(tapes.low), tapes.levels);
+    described[1] = wide(vec(tapes.size));
+    for (std::size_t k = 0; k < functions.size(); ++k) {
+        const int place = int(functions[k]);
+        described[std::size_t(synthesis::tape_vectors_of_place + place / 4)][place % 4] =
+            float(int(k) * tapes.spans_of_a_function());
+    }
+    const std::size_t bytes = sizeof(described);
+    std::memcpy(block.data() + (std::size_t(passes.vectors()) * 16 - bytes), described.data(),
+                bytes);
 }
 
 } // namespace isomotion::render

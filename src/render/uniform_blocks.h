@@ -7,6 +7,7 @@
 #include <glm/glm.hpp>
 
 #include "elements/element_grid.h"
+#include "formula/tape/tape_cells.h"
 #include "scene/rays.h"
 #include "scene/scene_at.h"
 #include "synthesis/pass.h"
@@ -40,9 +41,15 @@ glm::vec4 beam_range(const scene::SceneAt& now, int width, int height, const sce
 std::vector<glm::vec4> shading_block(const scene::Scene& scene, const scene::SceneAt& now,
                                      int width, int height);
 
-// Generated block Parameters: parameter values, the arrays' counts, the grid if there is one.
+// Generated block Parameters: parameter values, the arrays' counts, the grid if there is one, and
+// room for the tapes.
 std::vector<std::byte> parameter_block(const synthesis::Passes& passes, const scene::SceneAt& now,
                                        const elements::ElementGrid* grid);
+// Fills that room. `functions` are those of the tapes, in their order.
+void describe_tapes(const synthesis::Passes& passes,
+                    std::span<const synthesis::FieldFunction> functions,
+                    const formula::TapeCells& tapes, std::vector<std::byte>& block);
+
 
 // The elements of array `index`, packed as the field reads them.
 std::vector<glm::vec4> array_texels(const scene::Scene& scene, const synthesis::Passes& passes,

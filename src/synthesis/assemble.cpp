@@ -1,6 +1,7 @@
 #include "synthesis/assemble.h"
 
 #include <algorithm>
+#include <memory>
 #include <span>
 
 #include "synthesis/beam_copies_text.h"
@@ -9,11 +10,13 @@
 #include "synthesis/effect_text.h"
 #include "synthesis/finding_elements.h"
 #include "synthesis/glass_text.h"
+#include "synthesis/inlined_size.h"
 #include "synthesis/march_text.h"
 #include "synthesis/paths_text.h"
 #include "synthesis/proof_text.h"
 #include "synthesis/shade_text.h"
 #include "synthesis/surfaces_text.h"
+#include "synthesis/tape_text.h"
 
 namespace isomotion::synthesis {
 namespace {
@@ -37,10 +40,9 @@ constexpr std::int64_t fewest_to_settle = 2'000'000;
 // growing with its length.
 bool is_long(const formula::Program& gradient) { return gradient.instructions.size() > 1000; }
 
-} // namespace
-
-Passes assemble(const scene::Scene& scene, const std::vector<Channel>& channels,
-                const Drawing& drawing) {
+// With these tapes for the field, or the field's own code.
+Passes assemble_with(const std::shared_ptr<const FieldTapes>& tapes, const scene::Scene& scene,
+                     const std::vector<Channel>& channels, const Drawing& drawing) {
     const Stage stage = drawing.stage;
     const scene::MethodTraits& method = scene::traits(scene.isolation.method);
     const bool on_web = drawing.platform == Platform::webgl;
@@ -49,11 +51,12 @@ Passes assemble(const scene::Scene& scene, const std::vector<Channel>& channels,
     passes.branches = drawing.branches;
     // A wall's normal is no slope along a ray.
     passes.march_takes_gradient =
-        is_long(scene.surface.field->gradient) && !scene.surface.jumps_are_walls;
+        !tapes && is_long(scene.surface.field->gradient) && !scene.surface.jumps_are_walls;
     passes.samples = samples_of(scene, passes.march_takes_gradient);
     passes.state_textures = method.state_textures;
     const auto find_elements = [&](bool keeps_copies) {
         static_cast<FieldStorage&>(passes) = storage_of_elements(scene, drawing, keeps_copies);
+        passes.tapes = tapes;
         // A page's beams that keep no bits find elements by place as its rays do.
         const bool by_beams = uses_beams(scene) && (on_web || !array_with_grid(passes)) &&
                               pays_in(stage, scene, has_lists(passes));
@@ -63,7 +66,7 @@ Passes assemble(const scene::Scene& scene, const std::vector<Channel>& channels,
     find_elements(true);
     if (has_copies(passes) && !copies_fit(passes)) find_elements(false);
     const bool settling_pays = drawing.pixels >= fewest_to_settle || pays_in(stage, scene, false);
-    if (!on_web && settling_pays && can_settle_blocks(scene, drawing.finest_beam))
+    if (!on_web && !tapes && settling_pays && can_settle_blocks(scene, drawing.finest_beam))
         passes.beams.push_back(level_by_models(drawing.finest_beam));
     if (!passes.beams.empty() && !on_web)
         passes.light_beams = shadow_mask(scene) & far_lights(scene);
@@ -115,6 +118,17 @@ Passes assemble(const scene::Scene& scene, const std::vector<Channel>& channels,
         for (Pass& pass : passes.list) become_glsl_es(pass);
     }
     return passes;
+}
+
+} // namespace
+
+Passes assemble(const scene::Scene& scene, const std::vector<Channel>& channels,
+                const Drawing& drawing) {
+    Passes compiled = assemble_with(nullptr, scene, channels, drawing);
+    if (drawing.platform == Platform::webgl || inlined_size(compiled) <= largest_shaders())
+        return compiled;
+    const auto tapes = FieldTapes::of(*scene.surface.field);
+    return tapes ? assemble_with(tapes, scene, channels, drawing) : compiled;
 }
 
 } // namespace isomotion::synthesis

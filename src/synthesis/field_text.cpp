@@ -10,6 +10,7 @@
 #include "synthesis/loop_limit.h"
 #include "synthesis/shader_files.h"
 #include "synthesis/shader_text.h"
+#include "synthesis/tape_text.h"
 
 namespace isomotion::synthesis {
 namespace {
@@ -46,6 +47,7 @@ std::string declarations(const FieldStorage& storage) {
     }
     const std::optional<int> by_place = array_with_grid(storage);
     if (by_place) text += fmt::format("    vec4 grid_block[{}];\n", grid_vectors(storage));
+    if (storage.tapes) text += fmt::format("    vec4 tape_block[{}];\n", tape_vectors);
     text += "};\n";
     // Copies: software renderers read a block again at every use, in every turn of a loop.
     std::string copies;
@@ -221,8 +223,8 @@ void define_grid_limits(ShaderText& text, const formula::Field& field, const Fie
     once[std::size_t(*array)] = 1;
     double turns = 1, loops = 1;
     for (const FieldFunction function : functions) {
-        turns = std::max(turns, 1 + cost(field, {function}, others).iterations);
-        loops = std::max(loops, cost(field, {function}, once).iterations);
+        turns = std::max(turns, 1 + cost(field, storage, {function}, others).iterations);
+        loops = std::max(loops, cost(field, storage, {function}, once).iterations);
     }
     text.define("MOST_CELLS", most_cells_of_box);
     text.define("GRID_OTHERS", int(std::min(turns, 1e6)));
@@ -258,7 +260,7 @@ int grid_vectors(const FieldStorage& storage) {
 }
 
 int FieldStorage::vectors() const {
-    return parameter_vectors + count_vectors + grid_vectors(*this);
+    return parameter_vectors + count_vectors + grid_vectors(*this) + (tapes ? tape_vectors : 0);
 }
 
 bool has_lists(const FieldStorage& storage) {
@@ -293,8 +295,9 @@ FieldStorage field_storage(const formula::Field& field, int parameters, std::spa
     return storage;
 }
 
-formula::Cost cost(const formula::Field& field, const std::vector<FieldFunction>& functions,
-                   std::span<const int> counts) {
+formula::Cost cost(const formula::Field& field, const FieldStorage& storage,
+                   const std::vector<FieldFunction>& functions, std::span<const int> counts) {
+    if (storage.tapes) return storage.tapes->cost(functions);
     FieldPrograms programs(field);
     formula::Cost total;
     for (const FieldFunction function : functions) {
@@ -312,8 +315,10 @@ void add_field(ShaderText& text, const formula::Field& field, const FieldStorage
     bool on_intervals = false;
     std::string generated;
     const bool by_place = array_with_grid(storage).has_value();
+    const std::vector<FieldFunction> compiled =
+        storage.tapes ? std::vector<FieldFunction>{} : functions;
     FieldPrograms programs(field);
-    for (const FieldFunction function : functions) {
+    for (const FieldFunction function : compiled) {
         FunctionParts parts = parts_of(field, programs, function);
         (parts.on_intervals ? interval_kernels : kernels).merge(parts.kernels);
         on_intervals |= parts.on_intervals;
@@ -331,7 +336,8 @@ void add_field(ShaderText& text, const formula::Field& field, const FieldStorage
     text.generated("generated: parameters of the surface", declarations(storage));
     define_grid_limits(text, field, storage, functions);
     if (by_place) add_cells(text, storage);
-    if (!functions.empty()) {
+    if (storage.tapes) add_tapes(text, *storage.tapes, functions);
+    if (!compiled.empty()) {
         text.generated("generated from: " + as_comment(field.text), generated);
     }
     for (const GeneratedFunction& function : beside) {
@@ -345,6 +351,7 @@ void add_field(ShaderText& text, const formula::Field& field, const FieldStorage
 
 void add_enclosures(ShaderText& text, const formula::Field& field, const FieldStorage& storage,
                     const std::vector<FieldFunction>& functions, formula::Numbers numbers) {
+    if (storage.tapes) return add_field(text, field, storage, functions);
     const std::optional<int> by_place = array_with_grid(storage);
     std::optional<formula::LinearSum> sum;
     if (has_lists(storage)) sum = formula::linear_sum(field).value();

@@ -2,6 +2,7 @@
 // arrays, the generated functions.
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <set>
 #include <span>
@@ -13,6 +14,7 @@
 
 namespace isomotion::synthesis {
 
+class FieldTapes; // tape_text.h
 class ShaderText;
 
 // How a shader reads an array's elements, `texels` vec4s each.
@@ -38,11 +40,32 @@ struct ArrayStorage {
     int sums = 0;
 };
 
+// The functions of a field that a shader can use; see glsl_value(), glsl_value_interval() and their
+// siblings for the signatures. Programs for intervals are made when they are needed.
+enum class FieldFunction {
+    value,
+    directional,
+    gradient,
+    value_interval,
+    directional_interval,
+    gradient_interval,
+    hessian_interval, // for fields that have a hessian_program()
+    rough,
+    breaks
+};
+
+// Whether its arguments are boxes.
+constexpr bool is_on_intervals(FieldFunction function) {
+    return function >= FieldFunction::value_interval;
+}
+
 // How a shader reads the values of a field's names.
 struct FieldStorage {
     int parameter_vectors = 1; // vec4s of the block Parameters, before the arrays' counts
     int count_vectors = 0;     // ivec4s of counts
     std::vector<ArrayStorage> arrays;
+    // If F's functions are no code of their own but tapes that an interpreter runs.
+    std::shared_ptr<const FieldTapes> tapes;
 
     // Length of the block.
     int vectors() const;
@@ -70,29 +93,10 @@ struct Finding {
 FieldStorage field_storage(const formula::Field& field, int parameters, std::span<const int> counts,
                            const Finding& finding = {});
 
-// The functions of a field that a shader can use; see glsl_value(), glsl_value_interval() and their
-// siblings for the signatures. Programs for intervals are made when they are needed.
-enum class FieldFunction {
-    value,
-    directional,
-    gradient,
-    value_interval,
-    directional_interval,
-    gradient_interval,
-    hessian_interval, // for fields that have a hessian_program()
-    rough,
-    breaks
-};
-
-// Whether its arguments are boxes.
-constexpr bool is_on_intervals(FieldFunction function) {
-    return function >= FieldFunction::value_interval;
-}
-
 // The cost of one call of each function. An operation on intervals counts as so many on numbers.
 inline constexpr double interval_operations = 12;
-formula::Cost cost(const formula::Field& field, const std::vector<FieldFunction>& functions,
-                   std::span<const int> counts);
+formula::Cost cost(const formula::Field& field, const FieldStorage& storage,
+                   const std::vector<FieldFunction>& functions, std::span<const int> counts);
 
 // A function that reads the field's parameters and arrays but is not one of the field's own.
 struct GeneratedFunction {

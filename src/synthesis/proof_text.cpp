@@ -18,8 +18,9 @@ constexpr double model_operations = 36, block_model_operations = 90;
 
 // Whether F is proved by models (formula/glsl/glsl_model.h) rather than by bounds on it and its
 // slope. Where doubles aren't to be had, bounds are what tries again what models leave open.
-bool goes_by_models(const formula::Field& field, ProofBounds bounds) {
-    return bounds != ProofBounds::by_gradient && formula::modelled_degree(field) > 0;
+bool goes_by_models(const formula::Field& field, const FieldStorage& storage, ProofBounds bounds) {
+    return bounds != ProofBounds::by_gradient && !storage.tapes &&
+           formula::modelled_degree(field) > 0;
 }
 
 // Adds models of F around points.
@@ -65,7 +66,7 @@ void add_by_place(ShaderText& text, const Passes& passes) {
 // there are such bounds. They are not taken where elements are found by place: slopes of two lists
 // differ by those of what either leaves out, which have no bound.
 bool takes_hessian(const formula::Field& field, const FieldStorage& storage, ProofBounds bounds) {
-    return bounds == ProofBounds::in_doubles && !array_with_grid(storage) &&
+    return bounds == ProofBounds::in_doubles && !array_with_grid(storage) && !storage.tapes &&
            formula::hessian_program(field);
 }
 
@@ -134,7 +135,7 @@ void add_ray_bounds(ShaderText& text, const formula::Field& field, const Passes&
 
 Pass block_proof(const scene::Scene& scene, const Passes& passes, Role role) {
     const formula::Field& field = *scene.surface.field;
-    const bool by_models = goes_by_models(field, ProofBounds::natural);
+    const bool by_models = goes_by_models(field, passes, ProofBounds::natural);
     const bool is_coarse = role == Role::coarse_block_proof;
     const int block = is_coarse ? coarse_proved_block : proved_block;
     ShaderText text;
@@ -193,7 +194,7 @@ Pass block_mask(const Passes& passes) {
 
 Pass first_proof(const scene::Scene& scene, const Passes& passes) {
     const formula::Field& field = *scene.surface.field;
-    const bool by_models = goes_by_models(field, ProofBounds::natural);
+    const bool by_models = goes_by_models(field, passes, ProofBounds::natural);
     ShaderText text;
     text.define("WHOLE_BLOCKS", 1);
     add_packed(text);
@@ -222,7 +223,7 @@ Pass proof(const scene::Scene& scene, const Passes& passes, ProofBounds bounds) 
     const auto numbers = in_doubles ? formula::Numbers::doubles : formula::Numbers::floats;
     if (in_doubles) text.version(400);
     add_packed(text);
-    if (goes_by_models(field, bounds)) {
+    if (goes_by_models(field, passes, bounds)) {
         add_enclosures(text, field, passes, {}, numbers);
         add_by_place(text, passes);
         add_proof(text, scene, passes, bounds);
@@ -257,19 +258,20 @@ Pass ending_of_surface(const scene::Scene& scene) {
 
 } // namespace
 
-formula::Cost cost_of_block_piece(const formula::Field& field, std::span<const int> counts) {
-    if (!goes_by_models(field, ProofBounds::natural))
-        return cost(field, samples_of_block(), counts);
-    formula::Cost piece = cost(field, {FieldFunction::value}, counts);
+formula::Cost cost_of_block_piece(const formula::Field& field, const FieldStorage& storage,
+                                  std::span<const int> counts) {
+    if (!goes_by_models(field, storage, ProofBounds::natural))
+        return cost(field, storage, samples_of_block(), counts);
+    formula::Cost piece = cost(field, storage, {FieldFunction::value}, counts);
     piece.operations *= block_model_operations;
     return piece;
 }
 
 formula::Cost cost_of_piece(const formula::Field& field, const FieldStorage& storage,
                             ProofBounds bounds, std::span<const int> counts) {
-    if (!goes_by_models(field, bounds))
-        return cost(field, samples_of_ray(field, storage, bounds), counts);
-    formula::Cost piece = cost(field, {FieldFunction::value}, counts);
+    if (!goes_by_models(field, storage, bounds))
+        return cost(field, storage, samples_of_ray(field, storage, bounds), counts);
+    formula::Cost piece = cost(field, storage, {FieldFunction::value}, counts);
     piece.operations *= model_operations;
     return piece;
 }
@@ -278,14 +280,15 @@ std::vector<Pass> proof_passes(const scene::Scene& scene, const Passes& passes) 
     std::vector<Pass> list;
     if (is_among(scene)) list.push_back(ending_of_surface(scene));
     // Beams by models have proved as much.
-    if (goes_by_models(*scene.surface.field, ProofBounds::natural) && !settles_blocks(passes))
+    if (goes_by_models(*scene.surface.field, passes, ProofBounds::natural) && !settles_blocks(passes))
         list.push_back(block_proof(scene, passes, Role::coarse_block_proof));
     if (lies_in_beams(passes, proved_block)) list.push_back(block_mask(passes));
     list.push_back(block_proof(scene, passes, Role::block_proof));
     list.push_back(first_proof(scene, passes));
     list.push_back(proof(scene, passes, ProofBounds::natural));
     list.push_back(proof(scene, passes, ProofBounds::by_gradient));
-    list.push_back(proof(scene, passes, ProofBounds::in_doubles));
+    // Tapes are run on floats alone.
+    if (!passes.tapes) list.push_back(proof(scene, passes, ProofBounds::in_doubles));
     return list;
 }
 

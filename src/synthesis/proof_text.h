@@ -22,7 +22,8 @@ inline constexpr int coarse_proved_block = 16;
 inline constexpr int open_list_across = 1024;
 
 // The cost of a piece of a block's proof, and of a single ray's.
-formula::Cost cost_of_block_piece(const formula::Field& field, std::span<const int> counts);
+formula::Cost cost_of_block_piece(const formula::Field& field, const FieldStorage& storage,
+                                  std::span<const int> counts);
 formula::Cost cost_of_piece(const formula::Field& field, const FieldStorage& storage,
                             ProofBounds bounds, std::span<const int> counts);
 

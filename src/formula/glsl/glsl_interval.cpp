@@ -428,48 +428,57 @@ std::set<std::string> interval_kernels_used(const Program& program) {
     return kernels;
 }
 
+IntervalSignature value_interval_signature() {
+    return {"vec2 field_interval(vec2 x, vec2 y, vec2 z)", {"x", "y", "z"}, "vec2", {}};
+}
+
+IntervalSignature directional_interval_signature() {
+    return {"vec4 field_directional_interval(vec2 x, vec2 y, vec2 z, vec2 dx, vec2 dy, vec2 dz)",
+            {"x", "y", "z", "dx", "dy", "dz"},
+            "vec4",
+            {}};
+}
+
+IntervalSignature gradient_interval_signature() {
+    return {"void field_gradient_interval(vec2 x, vec2 y, vec2 z, out vec2 gx, out vec2 gy, "
+            "out vec2 gz)",
+            {"x", "y", "z"},
+            "",
+            {"gx", "gy", "gz"}};
+}
+
+IntervalSignature rough_signature() {
+    return {"vec4 field_rough(vec2 x, vec2 y, vec2 z)", {"x", "y", "z"}, "vec4", {}};
+}
+
+IntervalSignature breaks_signature() {
+    return {"vec4 field_breaks(vec2 x, vec2 y, vec2 z)", {"x", "y", "z"}, "vec4", {}};
+}
+
 std::string glsl_value_interval(const EnclosurePrograms& programs, const ArrayPacking& packing,
                                 const IntervalNumbers& numbers) {
-    return emit_interval_glsl(
-        programs.value,
-        {"vec2 field_interval(vec2 x, vec2 y, vec2 z)", {"x", "y", "z"}, "vec2", {}}, packing,
-        numbers);
+    return emit_interval_glsl(programs.value, value_interval_signature(), packing, numbers);
 }
 
 std::string glsl_directional_interval(const EnclosurePrograms& programs,
                                       const ArrayPacking& packing, const IntervalNumbers& numbers) {
-    return emit_interval_glsl(
-        programs.directional,
-        {"vec4 field_directional_interval(vec2 x, vec2 y, vec2 z, vec2 dx, vec2 dy, vec2 dz)",
-         {"x", "y", "z", "dx", "dy", "dz"},
-         "vec4",
-         {}},
-        packing, numbers);
+    return emit_interval_glsl(programs.directional, directional_interval_signature(), packing,
+                              numbers);
 }
 
 std::string glsl_gradient_interval(const EnclosurePrograms& programs, const ArrayPacking& packing,
                                    const IntervalNumbers& numbers) {
-    return emit_interval_glsl(programs.gradient,
-                              {"void field_gradient_interval(vec2 x, vec2 y, vec2 z, out vec2 gx, "
-                               "out vec2 gy, out vec2 gz)",
-                               {"x", "y", "z"},
-                               "",
-                               {"gx", "gy", "gz"}},
-                              packing, numbers);
+    return emit_interval_glsl(programs.gradient, gradient_interval_signature(), packing, numbers);
 }
 
 std::string glsl_rough(const EnclosurePrograms& programs, const ArrayPacking& packing,
                        const IntervalNumbers& numbers) {
-    return emit_interval_glsl(
-        programs.rough, {"vec4 field_rough(vec2 x, vec2 y, vec2 z)", {"x", "y", "z"}, "vec4", {}},
-        packing, numbers);
+    return emit_interval_glsl(programs.rough, rough_signature(), packing, numbers);
 }
 
 std::string glsl_breaks(const EnclosurePrograms& programs, const ArrayPacking& packing,
                         const IntervalNumbers& numbers) {
-    return emit_interval_glsl(
-        programs.breaks, {"vec4 field_breaks(vec2 x, vec2 y, vec2 z)", {"x", "y", "z"}, "vec4", {}},
-        packing, numbers);
+    return emit_interval_glsl(programs.breaks, breaks_signature(), packing, numbers);
 }
 
 std::string glsl_hessian_interval(const Program& bend, const ArrayPacking& packing,

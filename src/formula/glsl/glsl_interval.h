@@ -48,6 +48,11 @@ std::string emit_interval_glsl(const Program& program, const IntervalSignature& 
 std::set<std::string> interval_kernels_used(const Program& program);
 
 // Functions on floats. On doubles each vec stands for a dvec.
+IntervalSignature value_interval_signature();
+IntervalSignature directional_interval_signature();
+IntervalSignature gradient_interval_signature();
+IntervalSignature rough_signature();
+IntervalSignature breaks_signature();
 
 // vec2 field_interval(vec2 x, vec2 y, vec2 z)
 std::string glsl_value_interval(const EnclosurePrograms& programs, const ArrayPacking& packing,

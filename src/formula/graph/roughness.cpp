@@ -10,8 +10,6 @@
 namespace isomotion::formula {
 namespace {
 
-constexpr double smooth_power = 3;
-
 // Whether a node is 0 where it has its kink, so that a power of it may be smooth there.
 bool is_0_at_kink(const Graph& g, const Node& node) {
     if (node.op == Op::abs) return true;

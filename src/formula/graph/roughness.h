@@ -18,7 +18,9 @@ struct Roughness {
         poles; // quotients, angles, negative powers, log, tan; places without a value
 };
 
-// A kink raised to the third or a higher power (max(0, u)^3) doesn't count: second derivatives are
+inline constexpr double smooth_power = 3;
+
+// A kink raised to that or a higher power (max(0, u)^3) doesn't count: second derivatives are
 // continuous there. Nor do exp, sinh and cosh where they are cut off, at 10^30.
 // Quotients count as smooth over boxes that leave at least a part of the denominator's size.
 Roughness roughness(Graph& graph, NodeId root, double least_part);

@@ -1,0 +1,226 @@
+#include "formula/tape/tape.h"
+
+#include <algorithm>
+#include <cassert>
+
+#include "formula/interval/chebyshev_enclosure.h"
+#include "formula/interval/interval_operations.h"
+
+namespace isomotion::formula {
+namespace {
+
+Interval value_of(const TapeStep& step, const std::array<Interval, 4>& of) {
+    using Do = Operations<Interval>;
+    switch (step.op) {
+    case Op::negate:
+        return Do::negate(of[0]);
+#define CASE(name, ...)                                                                            \
+    case Op::name:                                                                                 \
+        return Do::name(of[0]);
+        ISOMOTION_FUNCTIONS(CASE)
+#undef CASE
+    case Op::add:
+        return Do::add(of[0], of[1]);
+    case Op::subtract:
+        return Do::subtract(of[0], of[1]);
+    case Op::multiply:
+        return step.operands[0] == step.operands[1] ? Do::square(of[0]) : Do::multiply(of[0], of[1]);
+    case Op::divide:
+        return Do::divide(of[0], of[1]);
+    case Op::min:
+        return Do::min(of[0], of[1]);
+    case Op::max:
+        return Do::max(of[0], of[1]);
+    case Op::power:
+        return Do::power(of[0], of[1]);
+    case Op::select:
+        return Do::select(of[0], of[1], of[2], of[3]);
+    default: // chebyshev: nothing is decided by its values
+        return Interval::entire();
+    }
+}
+
+// The steps that outputs need, in their order. `place` is overwritten.
+Tape needed(std::span<const TapeStep> steps, std::span<const int> outputs,
+            std::vector<int>& place) {
+    place.assign(steps.size(), -1);
+    std::size_t count = 0;
+    const auto need = [&](int step) {
+        count += place[std::size_t(step)] < 0;
+        place[std::size_t(step)] = 0;
+    };
+    std::ranges::for_each(outputs, need);
+    for (std::size_t k = steps.size(); k-- > 0;) {
+        if (place[k] < 0) continue;
+        std::for_each_n(steps[k].operands.begin(), steps[k].arity, need);
+    }
+    Tape used;
+    used.steps.reserve(count);
+    for (std::size_t k = 0; k < steps.size(); ++k) {
+        if (place[k] < 0) continue;
+        place[k] = int(used.steps.size());
+        TapeStep& step = used.steps.emplace_back(steps[k]);
+        for (std::size_t o = 0; o < step.arity; ++o)
+            step.operands[o] = place[std::size_t(step.operands[o])];
+    }
+    for (const int output : outputs) used.outputs.push_back(place[std::size_t(output)]);
+    return used;
+}
+
+// The same steps in an order that leaves few values to be kept: each value's slope next to it.
+Tape with_slopes_next_to_values(const Tape& tape) {
+    constexpr std::array<std::size_t, 4> of_select{2, 0, 3, 1}; // a slope asks for its values
+    std::vector<int> place(tape.steps.size(), -1);
+    Tape ordered;
+    ordered.steps.reserve(tape.steps.size());
+    struct Open {
+        int step;
+        std::size_t next; // operand to look at
+    };
+    std::vector<Open> open;
+    // The last output first, as it is a slope of the first.
+    for (auto output = tape.outputs.rbegin(); output != tape.outputs.rend(); ++output) {
+        open.push_back({*output, 0});
+        while (!open.empty()) {
+            auto& [at, next] = open.back();
+            const TapeStep& step = tape.steps[std::size_t(at)];
+            if (place[std::size_t(at)] >= 0) {
+                open.pop_back();
+            } else if (next < step.arity) {
+                const std::size_t k = step.op == Op::select ? of_select[next] : next;
+                ++next;
+                open.push_back({step.operands[k], 0});
+            } else {
+                place[std::size_t(at)] = int(ordered.steps.size());
+                TapeStep& copy = ordered.steps.emplace_back(step);
+                for (std::size_t o = 0; o < step.arity; ++o)
+                    copy.operands[o] = place[std::size_t(step.operands[o])];
+                open.pop_back();
+            }
+        }
+    }
+    for (const int output : tape.outputs)
+        ordered.outputs.push_back(place[std::size_t(output)]);
+    return ordered;
+}
+
+bool is_finite(Interval a) { return a.lo > -infinity && a.hi < infinity; }
+bool is(Interval a, double number) { return a.lo == number && a.hi == number; }
+
+// Constants that rounding left wide stay as they are computed.
+bool is_narrow(Interval a) { return is_finite(a) && a.hi - a.lo <= 0x1p-40 * magnitude(a); }
+
+} // namespace
+
+Tape Specialiser::operator()(const Tape& tape, std::span<const Interval> inputs) {
+    made_.clear();
+    values_.clear();
+    stands_for_.clear();
+    outputs_.clear();
+    for (const TapeStep& step : tape.steps) stands_for_.push_back(next(step, inputs));
+    for (const int output : tape.outputs) outputs_.push_back(stands_for_[std::size_t(output)]);
+    return needed(made_, outputs_, place_);
+}
+
+int Specialiser::next(TapeStep step, std::span<const Interval> inputs) {
+    if (step.op == Op::constant) return constant(step.value);
+    if (step.op == Op::input) return add(step, inputs[std::size_t(step.index)]);
+    std::array<Interval, 4> of{};
+    bool all_constant = true;
+    for (std::size_t k = 0; k < step.arity; ++k) {
+        step.operands[k] = stands_for_[std::size_t(step.operands[k])];
+        of[k] = values_[std::size_t(step.operands[k])];
+        all_constant &= is_constant(step.operands[k]);
+    }
+    if (const auto simpler = chosen(step, of)) return *simpler;
+    const Interval value = value_of(step, of);
+    const bool is_known = is_point(value) || (all_constant && is_narrow(value));
+    return is_known ? constant(value) : add(step, value);
+}
+
+// The step that a choice comes to, or arithmetic that changes nothing.
+std::optional<int> Specialiser::chosen(const TapeStep& step, const std::array<Interval, 4>& of) {
+    const int a = step.operands[0], b = step.operands[1];
+    switch (step.op) {
+    case Op::abs:
+        if (of[0].lo >= 0) return a;
+        if (of[0].hi <= 0) return negated(a);
+        break;
+    case Op::min:
+    case Op::max: {
+        const bool least = step.op == Op::min;
+        if (a == b) return a;
+        if (of[0].hi < of[1].lo) return least ? a : b;
+        if (of[1].hi < of[0].lo) return least ? b : a;
+        break;
+    }
+    case Op::select:
+        if (of[0].hi < of[1].lo) return step.operands[2];
+        if (of[0].lo >= of[1].hi) return step.operands[3];
+        if (step.operands[2] == step.operands[3]) return step.operands[2];
+        break;
+    case Op::add:
+        if (is(of[0], 0)) return b;
+        if (is(of[1], 0)) return a;
+        break;
+    case Op::subtract:
+        if (is(of[1], 0)) return a;
+        if (is(of[0], 0)) return negated(b);
+        break;
+    case Op::multiply:
+        for (std::size_t k = 0; k < 2; ++k) {
+            const int other = step.operands[1 - k];
+            if (is(of[k], 1)) return other;
+            if (is(of[k], -1)) return negated(other);
+            if (is(of[k], 0) && is_finite(of[1 - k])) return constant(0);
+        }
+        break;
+    default:
+        break;
+    }
+    return {};
+}
+
+int Specialiser::negated(int of) {
+    const TapeStep& step = made_[std::size_t(of)];
+    if (step.op == Op::constant) return constant(-step.value);
+    if (step.op == Op::negate) return step.operands[0];
+    return add({.op = Op::negate, .arity = 1, .operands = {of}}, -values_[std::size_t(of)]);
+}
+
+bool Specialiser::is_constant(int step) const {
+    return made_[std::size_t(step)].op == Op::constant;
+}
+
+int Specialiser::constant(Interval value) { return add({.value = value}, value); }
+
+int Specialiser::add(const TapeStep& step, Interval value) {
+    made_.push_back(step);
+    values_.push_back(value);
+    return int(made_.size()) - 1;
+}
+
+std::optional<Tape> tape_of(const Program& program, std::span<const Interval> parameters) {
+    Tape tape;
+    std::vector<int> place(std::size_t(program.registers), -1);
+    for (const Instruction& now : program.instructions) {
+        if (now.kind != Instruction::Kind::operation) return {};
+        TapeStep step{.op = now.op, .arity = now.arity, .index = now.index, .second = now.second};
+        if (now.op == Op::element || now.op == Op::random) return {};
+        if (now.op == Op::constant) step.value = now.value;
+        if (now.op == Op::parameter) {
+            step.op = Op::constant;
+            step.value = parameters[std::size_t(now.index)];
+        }
+        for (std::size_t k = 0; k < now.arity; ++k)
+            step.operands[k] = place[std::size_t(now.operands[k])];
+        place[std::size_t(now.result)] = int(tape.steps.size());
+        tape.steps.push_back(step);
+    }
+    for (const Register output : program.outputs)
+        tape.outputs.push_back(place[std::size_t(output)]);
+    std::vector<int> place_of_used;
+    return with_slopes_next_to_values(needed(tape.steps, tape.outputs, place_of_used));
+}
+
+} // namespace isomotion::formula

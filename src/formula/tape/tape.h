@@ -1,0 +1,58 @@
+// A formula as a list of instructions that an interpreter runs, and the shorter list that does the
+// same within a box.
+//
+// Keeter, "Massively Parallel Rendering of Complex Closed-Form Implicit Surfaces" (2020): an
+// interval decides which side of min(a, b) can matter in a box, and what feeds the other side alone
+// is dropped. Here all that jumps or chooses is decided so: min, max, abs, select, sign and floor.
+// What comes out constant goes on being simplified.
+#pragma once
+
+#include <array>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "formula/evaluate/evaluate.h"
+#include "formula/graph/program.h"
+
+namespace isomotion::formula {
+
+struct TapeStep {
+    Op op = Op::constant; // constant, input or an operation; parameters are constants
+    std::uint8_t arity = 0;
+    int index = 0;                 // of an input; the degree of chebyshev
+    int second = 0;                // the derivative of chebyshev
+    std::array<int, 4> operands{}; // earlier steps
+    Interval value{};              // holds a constant
+};
+
+struct Tape {
+    std::vector<TapeStep> steps;
+    std::vector<int> outputs; // steps
+};
+
+// None for a program with loops over elements. Its shape does not depend on the parameters' values.
+std::optional<Tape> tape_of(const Program& program, std::span<const Interval> parameters);
+
+// Shortens tapes. It keeps what it allocates for the next one.
+class Specialiser {
+public:
+    // The steps that decide the outputs for all inputs within these bounds. Values there are those
+    // of `tape`, but for rounding.
+    Tape operator()(const Tape& tape, std::span<const Interval> inputs);
+
+private:
+    int next(TapeStep step, std::span<const Interval> inputs);
+    std::optional<int> chosen(const TapeStep& step, const std::array<Interval, 4>& of);
+    int negated(int of);
+    bool is_constant(int step) const;
+    int constant(Interval value);
+    int add(const TapeStep& step, Interval value);
+
+    std::vector<TapeStep> made_;
+    std::vector<Interval> values_; // of the steps made
+    std::vector<int> stands_for_;  // the step made for each of the tape's
+    std::vector<int> outputs_, place_;
+};
+
+} // namespace isomotion::formula
