@@ -27,6 +27,6 @@ uvec2 tape_at(int spans, vec3 p) {
 uvec2 tape_over(int spans, vec2 x, vec2 y, vec2 z) {
     vec3 low = vec3(x.x, y.x, z.x), high = vec3(x.y, y.y, z.y);
     vec3 part = (high - low) / TAPE_SIZE;
-    float level = floor(-log2(1.001 * max(part.x, max(part.y, part.z))));
-    return tape_of_cell(spans, clamp(level, 0.0, TAPE_LEVELS), 0.5, low, high);
+    float level = floor(-log2(2.002 * max(part.x, max(part.y, part.z)))); // as half a cell
+    return tape_of_cell(spans, clamp(level, 0.0, TAPE_LEVELS), 0.25, low, high);
 }

@@ -1,6 +1,6 @@
 #include "render/frame_inputs.h"
 
-#include <functional>
+#include <algorithm>
 #include <limits>
 #include <span>
 #include <stdexcept>
@@ -18,6 +18,13 @@ namespace {
 
 template<class T> void add_value(base::Fingerprint& print, const T& value) {
     print.add_values(std::span<const T>(&value, 1));
+}
+
+// Tapes of smaller boxes are shorter by more than there are more of these: on a Menger sponge, from
+// 1000 instructions for an eighth of the bounds to 90 for a thirty-second.
+double longest_piece_of_tapes(const scene::BoundsAt& bounds) {
+    const glm::dvec3 size = bounds.max - bounds.min;
+    return std::max({size.x, size.y, size.z}) / 32;
 }
 
 void add(base::Fingerprint& print, const FieldInputs& field) {
@@ -84,13 +91,10 @@ elements::ElementGrid grid_of(const elements::GridMaker& maker, const scene::Sce
 }
 
 formula::TapeCells tapes_of(const scene::SceneAt& at, const InputLayout& layout) {
-    std::vector<std::reference_wrapper<const formula::TapeFunction>> functions;
-    for (const synthesis::FieldFunction function : layout.functions_run)
-        functions.emplace_back(layout.passes.tapes->function(function));
     std::array<formula::Interval, 3> box;
     for (int k = 0; k < 3; ++k)
         box[std::size_t(k)] = {at.bounds.min[k], at.bounds.max[k]};
-    return formula::tape_cells(functions, at.bindings.parameters, box, layout.tape_limits);
+    return formula::tape_cells(layout.passes.tapes->groups(), at.bindings.parameters, box, layout.tape_limits);
 }
 
 FieldInputs field_inputs(const scene::Scene& scene, const scene::SceneAt& at,
@@ -100,7 +104,7 @@ FieldInputs field_inputs(const scene::Scene& scene, const scene::SceneAt& at,
     if (layout.grid) field.grid = grid_of(*layout.grid, at, layout);
     if (passes.tapes) field.tapes = tapes_of(at, layout);
     field.parameters = parameter_block(passes, at, field.grid ? &*field.grid : nullptr);
-    if (field.tapes) describe_tapes(passes, layout.functions_run, *field.tapes, field.parameters);
+    if (field.tapes) describe_tapes(passes, *field.tapes, field.parameters);
     for (std::size_t a = 0; a < passes.arrays.size(); ++a) {
         field.arrays.push_back(array_texels(scene, passes, at, a));
     }
@@ -118,8 +122,10 @@ ViewInputs view_inputs(const scene::Scene& scene, const scene::SceneAt& now, int
                        const scene::Aim& aim, const synthesis::Passes& passes,
                        ElementRadius* element_radius) {
     const bool by_cubics = scene::traits(scene.isolation.method).steps == scene::Steps::cubics;
-    const double radius = by_cubics && element_radius ? element_radius->least(scene, now)
-                                                      : std::numeric_limits<double>::infinity();
+    double radius = by_cubics && element_radius ? element_radius->least(scene, now)
+                                                : std::numeric_limits<double>::infinity();
+    if (passes.tapes && passes.tapes->chooses())
+        radius = std::min(radius, 2 * longest_piece_of_tapes(now.bounds));
     ViewInputs view{frame_block(scene, now, width, height, aim, radius), {}};
     for (const synthesis::BeamLevel& level : passes.beams) {
         view.beams.push_back(beam_range(now, width, height, aim, level.block));

@@ -97,7 +97,6 @@ struct InputLayout {
     // For the array whose elements are found by place, otherwise null.
     const elements::GridMaker* grid = nullptr;
     elements::GridLimits grid_limits{};
-    std::vector<synthesis::FieldFunction> functions_run{}; // as tapes
     formula::TapeLimits tape_limits{};
     // Limit of the elements that a shader can sum at a place.
     std::uint32_t most_elements_at_a_place = 0;

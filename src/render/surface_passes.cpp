@@ -8,7 +8,6 @@
 #include "scene/surfaces.h"
 #include "synthesis/inlined_size.h"
 #include "synthesis/surfaces_text.h"
-#include "synthesis/tape_text.h"
 
 namespace isomotion::render {
 namespace {
@@ -123,7 +122,6 @@ SurfacePasses::SurfacePasses(PlannedSurface planned, const RenderOptions& option
         listed += light_beams->listed();
     }
     field.emplace(passes, listed);
-    if (passes.tapes) functions_run_ = synthesis::functions_run(passes);
     if (const auto array = synthesis::array_with_grid(passes))
         grid_maker_ = elements::GridMaker::of(*scene.surface.field, *array);
 }
@@ -134,7 +132,6 @@ InputLayout SurfacePasses::layout(int width, int height) const {
     InputLayout all{passes, width, height, light_side};
     const int threads =
         threads_ > 0 ? threads_ : std::max(1, int(std::thread::hardware_concurrency()));
-    all.functions_run = functions_run_;
     all.tape_limits.threads = threads;
     all.tape_limits.instructions = std::min(all.tape_limits.instructions, most_listed_);
     if (!grid_maker_) return all;

@@ -65,7 +65,6 @@ private:
     ElementRadius element_radius_;
     std::optional<elements::GridMaker> grid_maker_;
     int threads_;
-    std::vector<synthesis::FieldFunction> functions_run_; // as tapes
     std::size_t most_listed_;
 };
 

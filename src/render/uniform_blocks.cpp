@@ -144,9 +144,9 @@ std::vector<glm::vec4> array_texels(const scene::Scene& scene, const synthesis::
     return texels;
 }
 
-void describe_tapes(const synthesis::Passes& passes,
-                    std::span<const synthesis::FieldFunction> functions,
-                    const formula::TapeCells& tapes, std::vector<std::byte>& block) {
+void describe_tapes(const synthesis::Passes& passes, const formula::TapeCells& tapes,
+                    std::vector<std::byte>& block) {
+    const std::vector<synthesis::FieldFunction>& functions = passes.tapes->functions();
     const auto vec = [](const std::array<double, 3>& v) { return glm::dvec3(v[0], v[1], v[2]); };
     std::array<glm::vec4, synthesis::tape_vectors> described{};
     described[0] = wide(vec(tapes.low), tapes.levels);

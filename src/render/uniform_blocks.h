@@ -45,10 +45,9 @@ std::vector<glm::vec4> shading_block(const scene::Scene& scene, const scene::Sce
 // room for the tapes.
 std::vector<std::byte> parameter_block(const synthesis::Passes& passes, const scene::SceneAt& now,
                                        const elements::ElementGrid* grid);
-// Fills that room. `functions` are those of the tapes, in their order.
-void describe_tapes(const synthesis::Passes& passes,
-                    std::span<const synthesis::FieldFunction> functions,
-                    const formula::TapeCells& tapes, std::vector<std::byte>& block);
+// Fills that room.
+void describe_tapes(const synthesis::Passes& passes, const formula::TapeCells& tapes,
+                    std::vector<std::byte>& block);
 
 
 // The elements of array `index`, packed as the field reads them.

@@ -7,7 +7,6 @@
 #include <fmt/format.h>
 
 #include "formula/glsl/glsl_interval.h"
-#include "synthesis/pass.h"
 #include "synthesis/shader_files.h"
 #include "synthesis/shader_text.h"
 
@@ -50,12 +49,12 @@ formula::IntervalSignature signature_of(FieldFunction function) {
 }
 
 // The function itself: puts the inputs into registers, runs the tape, and takes the outputs.
-std::string glsl_of(FieldFunction function, const formula::TapeFunction& tape) {
+std::string glsl_of(FieldFunction function, const formula::TapeFunctions::Function& tape) {
     const formula::IntervalSignature signature = signature_of(function);
     const bool boxes = is_on_intervals(function);
     const std::string registers = boxes ? "tape_intervals" : "tape_numbers";
     std::string text = signature.head + " {\n";
-    for (std::size_t k = 0; k < signature.inputs.size() && int(k) < tape.inputs(); ++k)
+    for (std::size_t k = 0; k < signature.inputs.size() && int(k) < tape.inputs; ++k)
         text += fmt::format("    {}[{}] = {};\n", registers, k, signature.inputs[k]);
     const int place = int(function);
     const bool decorated = function == FieldFunction::rough;
@@ -66,8 +65,8 @@ std::string glsl_of(FieldFunction function, const formula::TapeFunction& tape) {
                         boxes ? fmt::format("tape_over({}, x, y, z)", spans)
                               : fmt::format("tape_at({}, p)", spans));
     std::string outputs;
-    for (int o = 0; o < tape.outputs(); ++o) {
-        const std::string output = fmt::format("{}[{}]", registers, tape.inputs() + o);
+    for (int o = 0; o < tape.outputs; ++o) {
+        const std::string output = fmt::format("{}[{}]", registers, tape.inputs + o);
         if (signature.result.empty())
             text += fmt::format("    {} = {};\n", signature.outputs[std::size_t(o)], output);
         outputs += (o == 0 ? "" : ", ") + output;
@@ -113,44 +112,60 @@ std::shared_ptr<const FieldTapes> FieldTapes::of(const formula::Field& field) {
     // Its decoration comes of running it.
     formula::Program rough = over_boxes.rough;
     rough.outputs.resize(1);
-    const std::initializer_list<std::pair<FieldFunction, const formula::Program&>> programs{
-        {FieldFunction::value, field.value},
-        {FieldFunction::directional, field.directional},
+    // Slopes last: values that these need stay next to them (formula/tape/tape.cpp).
+    std::vector<std::pair<FieldFunction, formula::Program>> on_points{
+        {FieldFunction::value, field.value}, {FieldFunction::directional, field.directional}};
+    if (field.wall_distance > 0) // a wall's normal is no slope along a ray
+        on_points.insert(on_points.begin(), {FieldFunction::gradient, field.gradient});
+    const std::vector<std::pair<FieldFunction, formula::Program>> on_boxes{
         {FieldFunction::value_interval, over_boxes.value},
-        {FieldFunction::directional_interval, over_boxes.directional},
         {FieldFunction::rough, rough},
         {FieldFunction::breaks, over_boxes.breaks},
-    };
+        {FieldFunction::directional_interval, over_boxes.directional}};
     FieldTapes tapes;
-    for (const auto& [function, program] : programs) {
-        auto made = formula::TapeFunction::of(program, numbers_of(function));
+    for (const auto* group : std::initializer_list<decltype(&on_boxes)>{&on_points, &on_boxes}) {
+        std::vector<formula::Program> programs;
+        std::vector<formula::TapeNumbers> numbers;
+        for (const auto& [function, program] : *group) {
+            tapes.functions_.push_back(function);
+            programs.push_back(program);
+            numbers.push_back(numbers_of(function));
+        }
+        auto made = formula::TapeFunctions::of(std::move(programs), numbers);
         if (!made) return nullptr;
-        tapes.functions_.emplace(function, std::move(*made));
-    }
-    if (field.wall_distance > 0) { // a wall's normal is no slope along a ray
-        auto made = formula::TapeFunction::of(field.gradient, formula::TapeNumbers::floats);
-        if (!made) return nullptr;
-        tapes.functions_.emplace(FieldFunction::gradient, std::move(*made));
+        tapes.groups_.push_back(std::move(*made));
     }
     return std::make_shared<const FieldTapes>(std::move(tapes));
+}
+
+const formula::TapeFunctions::Function& FieldTapes::function(FieldFunction of) const {
+    auto k = std::size_t(std::ranges::find(functions_, of) - functions_.begin());
+    if (k < groups_[0].size()) return groups_[0][k];
+    k -= groups_[0].size();
+    if (k >= groups_[1].size()) throw std::logic_error("a function without a tape");
+    return groups_[1][k];
+}
+
+bool FieldTapes::chooses() const {
+    return std::ranges::any_of(groups_, &formula::TapeFunctions::chooses);
 }
 
 formula::Cost FieldTapes::cost(const std::vector<FieldFunction>& functions) const {
     // Measured on llvmpipe: an instruction takes as long as some dozen operations that are compiled.
     constexpr double on_numbers = 12, on_intervals = 30;
+    constexpr int usual = 16; // turns in a cell
     formula::Cost cost;
     for (const FieldFunction of : functions) {
-        const bool along_axes = !functions_.contains(of);
-        const int turns = (along_axes ? 3 : 1) * function(run_for(of)).turns();
+        const int turns = (run_for(of) == of ? 1 : 3) * function(run_for(of)).turns;
         cost.iterations += turns;
-        cost.operations +=
-            (is_on_intervals(of) ? on_intervals : on_numbers) * formula::tape_unrolled * turns;
+        cost.operations += (is_on_intervals(of) ? on_intervals : on_numbers) *
+                           formula::tape_unrolled * (chooses() ? std::min(turns, usual) : turns);
     }
     return cost;
 }
 
 FieldFunction FieldTapes::run_for(FieldFunction of) const {
-    if (functions_.contains(of)) return of;
+    if (std::ranges::find(functions_, of) != functions_.end()) return of;
     return of == FieldFunction::gradient ? FieldFunction::directional
                                          : FieldFunction::directional_interval;
 }
@@ -162,11 +177,11 @@ void add_tapes(ShaderText& text, const FieldTapes& tapes,
     std::set<std::string> kernels, interval_kernels;
     int numbers = 0, intervals = 0; // registers
     for (const FieldFunction function : functions) {
-        const formula::TapeFunction& tape = tapes.function(function);
+        const formula::TapeFunctions::Function& tape = tapes.function(function);
         const bool boxes = is_on_intervals(function);
-        (boxes ? interval_kernels : kernels).merge(tape.operations().kernels());
+        (boxes ? interval_kernels : kernels).merge(tape.operations.kernels());
         int& registers = boxes ? intervals : numbers;
-        registers = std::max(registers, tape.registers());
+        registers = std::max(registers, tape.registers);
     }
     for (const auto& kernel : kernel_files(kernels)) text.file(kernel);
     if (intervals > 0) {
@@ -183,12 +198,12 @@ void add_tapes(ShaderText& text, const FieldTapes& tapes,
                                    boxes ? "tape_intervals" : "tape_numbers", registers));
         for (const FieldFunction function : functions) {
             if (is_on_intervals(function) != boxes) continue;
-            const formula::TapeFunction& tape = tapes.function(function);
+            const formula::TapeFunctions::Function& tape = tapes.function(function);
             const std::string prefix = "tape_" + number_of(function);
-            text.generated("operations of tapes", tape.operations().glsl(prefix));
+            text.generated("operations of tapes", tape.operations.glsl(prefix));
             set_name(text, "TAPE_RUN", "run_" + prefix);
             set_name(text, "TAPE_APPLY", prefix + "_apply");
-            if (tape.operations().has_calls()) set_name(text, "TAPE_CALL", prefix + "_call");
+            if (tape.operations.has_calls()) set_name(text, "TAPE_CALL", prefix + "_call");
             else text.generated("no calls", "#undef TAPE_CALL\n");
             text.file_again("tape/run.glsl");
             text.generated("runs tapes", glsl_of(function, tape));
@@ -198,18 +213,6 @@ void add_tapes(ShaderText& text, const FieldTapes& tapes,
         if (!functions.contains(function))
             text.generated("along each axis", along_axes(function));
     }
-}
-
-std::vector<FieldFunction> functions_run(const Passes& passes) {
-    std::vector<FieldFunction> found;
-    for (int k = 0; k <= int(FieldFunction::breaks); ++k) {
-        const std::string run = fmt::format("run_tape_{}(tape_", k);
-        if (std::ranges::any_of(passes.list, [&](const Pass& pass) {
-                return pass.text.find(run) != std::string::npos;
-            }))
-            found.push_back(FieldFunction(k));
-    }
-    return found;
 }
 
 } // namespace isomotion::synthesis

@@ -2,8 +2,8 @@
 // take a driver too long to compile.
 #pragma once
 
-#include <map>
 #include <memory>
+#include <span>
 #include <vector>
 
 #include "formula/tape/tape_cells.h"
@@ -11,23 +11,31 @@
 
 namespace isomotion::synthesis {
 
-struct Passes;
-
 // The functions of a field as an interpreter runs them.
 class FieldTapes {
 public:
     // Null for a field with arrays, or with more values at a time than the interpreter keeps.
     static std::shared_ptr<const FieldTapes> of(const formula::Field& field);
 
-    const formula::TapeFunction& function(FieldFunction of) const { return functions_.at(of); }
+    // The order of tapes' spans.
+    const std::vector<FieldFunction>& functions() const { return functions_; }
+    const formula::TapeFunctions::Function& function(FieldFunction of) const;
     // The function that has a tape where `of` has none: gradients are slopes along the axes.
     FieldFunction run_for(FieldFunction of) const;
 
-    // The cost of one call of each, with tapes of the whole space.
+    // Those on points, then those on boxes.
+    std::span<const formula::TapeFunctions> groups() const { return groups_; }
+
+    // Whether tapes are shorter in parts of the space.
+    bool chooses() const;
+
+    // The cost of one call of each. Iterations are those of the tape of the whole space; operations
+    // are what a usual cell takes.
     formula::Cost cost(const std::vector<FieldFunction>& functions) const;
 
 private:
-    std::map<FieldFunction, formula::TapeFunction> functions_;
+    std::vector<FieldFunction> functions_;
+    std::vector<formula::TapeFunctions> groups_;
 };
 
 // vec4s of the block Parameters that describe the tapes' cells: their place, and for each function
@@ -36,8 +44,5 @@ inline constexpr int tape_vectors_of_place = 2, tape_vectors = 5;
 
 void add_tapes(ShaderText& text, const FieldTapes& tapes,
                const std::vector<FieldFunction>& wanted);
-
-// The functions that these shaders run.
-std::vector<FieldFunction> functions_run(const Passes& passes);
 
 } // namespace isomotion::synthesis

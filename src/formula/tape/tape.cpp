@@ -1,7 +1,9 @@
 #include "formula/tape/tape.h"
 
 #include <algorithm>
-#include <cassert>
+#include <bit>
+#include <map>
+#include <tuple>
 
 #include "formula/interval/chebyshev_enclosure.h"
 #include "formula/interval/interval_operations.h"
@@ -40,9 +42,9 @@ Interval value_of(const TapeStep& step, const std::array<Interval, 4>& of) {
     }
 }
 
-// The steps that outputs need, in their order. `place` is overwritten.
-Tape needed(std::span<const TapeStep> steps, std::span<const int> outputs,
-            std::vector<int>& place) {
+// `used` becomes the steps that outputs need, in their order. `place` is overwritten.
+void keep_needed(std::span<const TapeStep> steps, std::span<const int> outputs,
+                 std::vector<int>& place, Tape& used) {
     place.assign(steps.size(), -1);
     std::size_t count = 0;
     const auto need = [&](int step) {
@@ -54,7 +56,8 @@ Tape needed(std::span<const TapeStep> steps, std::span<const int> outputs,
         if (place[k] < 0) continue;
         std::for_each_n(steps[k].operands.begin(), steps[k].arity, need);
     }
-    Tape used;
+    used.steps.clear();
+    used.outputs.clear();
     used.steps.reserve(count);
     for (std::size_t k = 0; k < steps.size(); ++k) {
         if (place[k] < 0) continue;
@@ -64,7 +67,6 @@ Tape needed(std::span<const TapeStep> steps, std::span<const int> outputs,
             step.operands[o] = place[std::size_t(step.operands[o])];
     }
     for (const int output : outputs) used.outputs.push_back(place[std::size_t(output)]);
-    return used;
 }
 
 // The same steps in an order that leaves few values to be kept: each value's slope next to it.
@@ -107,19 +109,41 @@ Tape with_slopes_next_to_values(const Tape& tape) {
 bool is_finite(Interval a) { return a.lo > -infinity && a.hi < infinity; }
 bool is(Interval a, double number) { return a.lo == number && a.hi == number; }
 
+// Adds steps, each once.
+class Joiner {
+public:
+    explicit Joiner(std::vector<TapeStep>& steps)
+        : steps_(steps) {}
+
+    int step(const TapeStep& step) {
+        const Key key{step.op,       step.index,
+                      step.second,   std::bit_cast<std::uint64_t>(step.value.lo),
+                      step.operands};
+        const auto [known, is_new] = known_.try_emplace(key, int(steps_.size()));
+        if (is_new) steps_.push_back(step);
+        return known->second;
+    }
+
+private:
+    using Key = std::tuple<Op, int, int, std::uint64_t, std::array<int, 4>>;
+    std::vector<TapeStep>& steps_;
+    std::map<Key, int> known_;
+};
+
 // Constants that rounding left wide stay as they are computed.
 bool is_narrow(Interval a) { return is_finite(a) && a.hi - a.lo <= 0x1p-40 * magnitude(a); }
 
 } // namespace
 
-Tape Specialiser::operator()(const Tape& tape, std::span<const Interval> inputs) {
+void Specialiser::operator()(const Tape& tape, std::span<const Interval> inputs,
+                             Tape& shortened) {
     made_.clear();
     values_.clear();
     stands_for_.clear();
     outputs_.clear();
     for (const TapeStep& step : tape.steps) stands_for_.push_back(next(step, inputs));
     for (const int output : tape.outputs) outputs_.push_back(stands_for_[std::size_t(output)]);
-    return needed(made_, outputs_, place_);
+    keep_needed(made_, outputs_, place_, shortened);
 }
 
 int Specialiser::next(TapeStep step, std::span<const Interval> inputs) {
@@ -200,27 +224,40 @@ int Specialiser::add(const TapeStep& step, Interval value) {
     return int(made_.size()) - 1;
 }
 
-std::optional<Tape> tape_of(const Program& program, std::span<const Interval> parameters) {
+std::optional<Tape> tape_of(std::span<const Program> programs,
+                            std::span<const Interval> parameters) {
     Tape tape;
-    std::vector<int> place(std::size_t(program.registers), -1);
-    for (const Instruction& now : program.instructions) {
-        if (now.kind != Instruction::Kind::operation) return {};
-        TapeStep step{.op = now.op, .arity = now.arity, .index = now.index, .second = now.second};
-        if (now.op == Op::element || now.op == Op::random) return {};
-        if (now.op == Op::constant) step.value = now.value;
-        if (now.op == Op::parameter) {
-            step.op = Op::constant;
-            step.value = parameters[std::size_t(now.index)];
+    Joiner joiner(tape.steps);
+    for (const Program& program : programs) {
+        std::vector<int> place(std::size_t(program.registers), -1);
+        for (const Instruction& now : program.instructions) {
+            const bool is_known = now.kind == Instruction::Kind::operation &&
+                                  now.op != Op::element && now.op != Op::random;
+            if (!is_known) return {};
+            TapeStep step{
+                .op = now.op, .arity = now.arity, .index = now.index, .second = now.second};
+            if (now.op == Op::constant) step.value = now.value;
+            for (std::size_t k = 0; k < now.arity; ++k)
+                step.operands[k] = place[std::size_t(now.operands[k])];
+            place[std::size_t(now.result)] = joiner.step(step);
         }
-        for (std::size_t k = 0; k < now.arity; ++k)
-            step.operands[k] = place[std::size_t(now.operands[k])];
-        place[std::size_t(now.result)] = int(tape.steps.size());
-        tape.steps.push_back(step);
+        for (const Register output : program.outputs)
+            tape.outputs.push_back(place[std::size_t(output)]);
     }
-    for (const Register output : program.outputs)
-        tape.outputs.push_back(place[std::size_t(output)]);
-    std::vector<int> place_of_used;
-    return with_slopes_next_to_values(needed(tape.steps, tape.outputs, place_of_used));
+    // Parameters of one value are still two, so that the shape does not depend on values.
+    for (TapeStep& step : tape.steps) {
+        if (step.op != Op::parameter) continue;
+        step = {.value = parameters[std::size_t(step.index)]};
+    }
+    return with_slopes_next_to_values(tape);
+}
+
+Tape part_of(const Tape& tape, int first, int count) {
+    std::vector<int> place;
+    Tape part;
+    keep_needed(tape.steps, std::span(tape.outputs).subspan(std::size_t(first), std::size_t(count)),
+                place, part);
+    return part;
 }
 
 } // namespace isomotion::formula

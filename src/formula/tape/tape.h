@@ -31,15 +31,21 @@ struct Tape {
     std::vector<int> outputs; // steps
 };
 
-// None for a program with loops over elements. Its shape does not depend on the parameters' values.
-std::optional<Tape> tape_of(const Program& program, std::span<const Interval> parameters);
+// Of several programs, one after the other: their outputs are those of the first, then of the next.
+// What they share is done once. None for programs with loops over elements. The shape does not
+// depend on the parameters' values.
+std::optional<Tape> tape_of(std::span<const Program> programs,
+                            std::span<const Interval> parameters);
+
+// The steps that outputs `first` to `first + count - 1` need, in their order.
+Tape part_of(const Tape& tape, int first, int count);
 
 // Shortens tapes. It keeps what it allocates for the next one.
 class Specialiser {
 public:
-    // The steps that decide the outputs for all inputs within these bounds. Values there are those
-    // of `tape`, but for rounding.
-    Tape operator()(const Tape& tape, std::span<const Interval> inputs);
+    // `shortened` becomes the steps that decide the outputs for all inputs within these bounds.
+    // Values there are those of `tape`, but for rounding.
+    void operator()(const Tape& tape, std::span<const Interval> inputs, Tape& shortened);
 
 private:
     int next(TapeStep step, std::span<const Interval> inputs);

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <bit>
 #include <limits>
-#include <memory>
+#include <random>
 
 #include "base/workers.h"
 
@@ -11,14 +11,16 @@ namespace isomotion::formula {
 namespace {
 
 constexpr int most_levels = 5;
+// Cells of this level are shared among threads.
+constexpr int shared_level = 2;
 // Shorter tapes are not worth a look at eight parts.
 constexpr std::size_t short_enough = 24;
-// A cell has its own words if they are fewer than the larger cell's by this factor.
+// A cell has its own words if its tape is shorter than the one they are of by this factor.
 constexpr double shorter = 0.75;
 // The part of a cell that its tape holds around it: as in shaders/tape/cells.glsl.
-constexpr double around_for_points = 0.0625, around_for_boxes = 0.5;
+constexpr double around_for_points = 0.0625, around_for_boxes = 0.25;
 
-bool chooses(const TapeStep& step) {
+bool decides(const TapeStep& step) {
     switch (step.op) {
     case Op::abs:
     case Op::sign:
@@ -32,201 +34,300 @@ bool chooses(const TapeStep& step) {
     }
 }
 
-int cells_along(int level) { return 1 << level; }
 std::size_t cells_of(int level) { return std::size_t(1) << (3 * level); }
 // Before a level's cells: the whole space's tape and those of coarser levels.
 std::size_t first_of(int level) { return 1 + (cells_of(level) - 1) / 7; }
 
-// The cell of the level before that holds a cell.
-std::size_t parent_of(std::size_t cell, int level) {
-    if (level == 0) return 0;
-    const auto n = std::size_t(cells_along(level));
-    const std::size_t x = cell % n / 2, y = cell / n % n / 2, z = cell / (n * n) / 2;
-    return (z * (n / 2) + y) * (n / 2) + x;
-}
+struct Cell {
+    int level = 0;
+    std::array<int, 3> at{};
 
-// A tape, and where the instructions begin that a shader runs for it: its own, or those of a longer
-// one, of so many steps.
-struct Placed {
-    std::shared_ptr<const Tape> tape;
-    std::uint32_t first = 0, count = 0;
-    std::size_t placed_steps = 0;
+    std::size_t place() const {
+        const auto n = std::size_t(1) << level;
+        return first_of(level) +
+               (std::size_t(at[2]) * n + std::size_t(at[1])) * n + std::size_t(at[0]);
+    }
+    Cell part(int k) const {
+        return {level + 1, {2 * at[0] + (k & 1), 2 * at[1] + (k >> 1 & 1), 2 * at[2] + (k >> 2)}};
+    }
 };
 
+// The words of one thread's part of the cells; number 0 has the whole space's and those of coarse
+// cells.
+using Owner = std::size_t;
+
+// Where the instructions of a function's tape lie, and how many steps the tape has.
+struct Span {
+    Owner owner = 0;
+    std::uint32_t first = 0, count = 0;
+    std::size_t steps = 0;
+};
+using Spans = std::vector<Span>; // of each function of a group
+
+// A tape for a cell, and the words that a shader runs there.
+struct Placed {
+    Tape tape;
+    Spans spans;
+};
+
+// Goes through cells and makes words.
 class Maker {
 public:
-    Maker(const std::array<Interval, 3>& box, const TapeLimits& limits, TapeCells& cells)
-        : box_(box)
-        , limits_(limits)
-        , cells_(cells) {}
+    Maker(const TapeFunctions& functions, const std::array<Interval, 3>& box, Owner owner)
+        : functions_(functions)
+        , box_(box)
+        , owner_(owner) {}
 
-    // Returns the spans of one function.
-    std::vector<Placed> run(const TapeFunction& function, std::span<const float> parameters,
-                            double steps) {
-        const auto whole = std::make_shared<const Tape>(function.whole(parameters));
-        const TapeWords words =
-            words_of(*whole, function.operations(), function.inputs()).value();
-        std::vector<Placed> all{place(whole, words)};
-        if (std::ranges::none_of(whole->steps, chooses)) return all;
-        double looked_at = 0;
-        for (int level = 0; level <= most_levels; ++level) {
-            const auto parent = [&](std::size_t cell) -> const Placed& {
-                return all[level == 0 ? 0 : first_of(level - 1) + parent_of(cell, level)];
-            };
-            double cost = 0;
-            for (std::size_t cell = 0; cell < cells_of(level); ++cell) {
-                if (worth_a_look(parent(cell))) cost += double(parent(cell).tape->steps.size());
-            }
-            looked_at += cost;
-            if (cost == 0 || looked_at > steps) break;
-            std::vector<Placed> made = level_of(function, level, parent);
-            for (Placed& coarser : all) coarser.tape.reset(); // nobody asks for them again
-            all.insert(all.end(), made.begin(), made.end());
+    std::vector<std::uint32_t> words;
+
+    // Words of the tape where it is so much shorter than that of `longer`, else those.
+    Spans place(const Tape& tape, const Spans& longer) {
+        Spans spans = longer;
+        for (std::size_t k = 0; k < functions_.size(); ++k) {
+            const TapeFunctions::Function& of = functions_[k];
+            if (double(tape.steps.size()) > shorter * double(longer[k].steps)) continue;
+            const auto made = words_of(part_of(tape, of.first_output, of.outputs), of.operations,
+                                       of.inputs, of.registers);
+            if (!made) continue;
+            spans[k] = {owner_, std::uint32_t(words.size() / 2),
+                        std::uint32_t(made->words.size() / 2), tape.steps.size()};
+            words.insert(words.end(), made->words.begin(), made->words.end());
         }
-        return all;
+        return spans;
+    }
+
+    // Visits a cell and its parts down to the level `last`: visit(cell, placed). `from` is of the
+    // cell that holds it. Short tapes stay as they are.
+    template<class Visit>
+    void descend(const Cell& cell, const Placed& from, int last, const Visit& visit) {
+        if (from.tape.steps.size() <= short_enough) return;
+        Placed& here = open_[std::size_t(cell.level)];
+        specialise_(from.tape, inputs_in(cell), here.tape);
+        here.spans = place(here.tape, from.spans);
+        visit(cell, here);
+        for (int k = 0; cell.level < last && k < 8; ++k)
+            descend(cell.part(k), here, last, visit);
+    }
+
+    // The steps looked at on each level, about, by cells at random.
+    std::vector<double> work_of_levels(const Tape& whole) {
+        constexpr int samples = 24;
+        std::mt19937 random(1);
+        std::vector<double> work(most_levels + 1, 0);
+        std::array<Tape, 2> tapes;
+        for (int sample = 0; sample < samples; ++sample) {
+            const Tape* from = &whole;
+            Cell cell;
+            while (cell.level <= most_levels && from->steps.size() > short_enough) {
+                work[std::size_t(cell.level)] +=
+                    double(cells_of(cell.level)) / samples * double(from->steps.size());
+                Tape& here = tapes[std::size_t(cell.level % 2)];
+                specialise_(*from, inputs_in(cell), here);
+                from = &here;
+                cell = cell.part(int(random() % 8));
+            }
+        }
+        return work;
     }
 
 private:
-    static bool worth_a_look(const Placed& placed) {
-        return placed.tape->steps.size() > short_enough;
-    }
-
-    template<class Parent>
-    std::vector<Placed> level_of(const TapeFunction& function, int level, const Parent& parent) {
-        struct Made {
-            std::shared_ptr<const Tape> tape;
-            std::optional<TapeWords> words;
-        };
-        std::vector<Made> made(cells_of(level));
-        base::share({made.size(), limits_.threads}, [&] {
-            return [&, specialise = Specialiser()](std::size_t cell) mutable {
-                const Placed& from = parent(cell);
-                if (!worth_a_look(from)) return;
-                auto tape = std::make_shared<const Tape>(
-                    specialise(*from.tape, inputs_in(cell, level, function)));
-                if (double(tape->steps.size()) <= shorter * double(from.placed_steps))
-                    made[cell].words = words_of(*tape, function.operations(), function.inputs(),
-                                                function.registers());
-                made[cell].tape = std::move(tape);
-            };
-        });
-        std::vector<Placed> placed;
-        placed.reserve(made.size());
-        for (std::size_t cell = 0; cell < made.size(); ++cell) {
-            Placed& next = placed.emplace_back(parent(cell));
-            const auto& [tape, words] = made[cell];
-            if (tape) next.tape = tape;
-            if (!words) continue;
-            const std::size_t count = words->words.size() / 2;
-            if (cells_.words.size() / 2 + count <= limits_.instructions)
-                next = place(tape, *words);
-        }
-        return placed;
-    }
-
-    Placed place(std::shared_ptr<const Tape> tape, const TapeWords& words) {
-        const auto first = std::uint32_t(cells_.words.size() / 2);
-        cells_.words.insert(cells_.words.end(), words.words.begin(), words.words.end());
-        const std::size_t steps = tape->steps.size();
-        return {std::move(tape), first, std::uint32_t(words.words.size() / 2), steps};
-    }
-
     // With what is around the cell, and what shaders lose when they look for it.
-    std::vector<Interval> inputs_in(std::size_t cell, int level,
-                                    const TapeFunction& function) const {
-        const bool points = function.operations().numbers() == TapeNumbers::floats;
-        const double around = points ? around_for_points : around_for_boxes;
-        const auto n = std::size_t(cells_along(level));
-        const std::array<std::size_t, 3> at{cell % n, cell / n % n, cell / (n * n)};
-        // Directions are finite.
+    std::array<Interval, 6> inputs_in(const Cell& cell) const {
+        const double around = functions_.on_points() ? around_for_points : around_for_boxes;
         constexpr double largest = std::numeric_limits<float>::max();
-        std::vector<Interval> bounds(std::size_t(function.inputs()), Interval(-largest, largest));
+        std::array<Interval, 6> bounds;
+        bounds.fill({-largest, largest}); // directions are finite
         for (std::size_t k = 0; k < 3; ++k) {
-            const double size = box_[k].hi - box_[k].lo, side = size / double(n);
+            const double size = box_[k].hi - box_[k].lo;
+            const double side = size / double(std::size_t(1) << cell.level);
             const double slack = 1e-6 * (size + magnitude(box_[k]));
-            bounds[k] = {box_[k].lo + (double(at[k]) - around) * side - slack,
-                         box_[k].lo + (double(at[k]) + 1 + around) * side + slack};
+            bounds[k] = {box_[k].lo + (cell.at[k] - around) * side - slack,
+                         box_[k].lo + (cell.at[k] + 1 + around) * side + slack};
         }
         return bounds;
     }
 
+    const TapeFunctions& functions_;
     const std::array<Interval, 3>& box_;
-    const TapeLimits& limits_;
-    TapeCells& cells_;
+    Owner owner_;
+    Specialiser specialise_;
+    std::array<Placed, most_levels + 1> open_; // the cells that hold the one visited
 };
 
-std::vector<Interval> on_doubles(std::span<const float> parameters) {
-    return {parameters.begin(), parameters.end()};
-}
+// The cells of one group of functions.
+class GroupCells {
+public:
+    GroupCells(const TapeFunctions& functions, std::span<const float> parameters,
+               const std::array<Interval, 3>& box, const TapeLimits& limits)
+        : functions_(functions) {
+        Maker maker(functions, box, 0);
+        Placed whole{functions.whole(parameters), {}};
+        constexpr std::size_t longest = std::numeric_limits<std::size_t>::max();
+        whole.spans = maker.place(whole.tape, Spans(functions.size(), {0, 0, 0, longest}));
+        levels_ = levels_within(maker, whole.tape, limits);
+        spans_.resize(first_of(levels_ + 1));
+        spans_[0] = whole.spans;
+        std::vector<std::pair<Cell, Placed>> tops; // that threads go on from
+        const int shared = std::min(shared_level, levels_);
+        if (levels_ >= 0) {
+            maker.descend({}, whole, shared, [&](const Cell& cell, const Placed& placed) {
+                spans_[cell.place()] = placed.spans;
+                if (cell.level == shared) tops.emplace_back(cell, placed);
+            });
+        }
+        words_.push_back(std::move(maker.words));
+        if (levels_ > shared) go_on(tops, box, limits);
+        inherit({}, spans_[0]);
+    }
 
-int inputs_of(const Program& program) {
+    int levels() const { return levels_; } // the finest; -1 without cells
+
+    // Adds the words, and for each function its spans down to a level of all groups.
+    void add_to(TapeCells& cells) const {
+        std::vector<std::uint32_t> begins;
+        for (const std::vector<std::uint32_t>& words : words_) {
+            begins.push_back(std::uint32_t(cells.words.size() / 2));
+            cells.words.insert(cells.words.end(), words.begin(), words.end());
+        }
+        for (std::size_t k = 0; k < functions_.size(); ++k) {
+            const auto add = [&](const Spans& spans) {
+                cells.spans.push_back(begins[spans[k].owner] + spans[k].first);
+                cells.spans.push_back(spans[k].count);
+            };
+            add(spans_[0]);
+            for (int level = 0; level <= cells.levels; ++level) {
+                const int n = 1 << level, finer = std::max(level - levels_, 0);
+                for (int z = 0; z < n; ++z) {
+                    for (int y = 0; y < n; ++y) {
+                        for (int x = 0; x < n; ++x) {
+                            const Cell cell{level - finer, {x >> finer, y >> finer, z >> finer}};
+                            add(spans_[levels_ < 0 ? 0 : cell.place()]);
+                        }
+                    }
+                }
+            }
+        }
+    }
+
+private:
+    int levels_within(Maker& maker, const Tape& whole, const TapeLimits& limits) const {
+        int level = -1;
+        if (!functions_.chooses()) return level;
+        double sum = 0;
+        for (const double work : maker.work_of_levels(whole)) {
+            sum += work;
+            if (sum > limits.steps) break;
+            ++level;
+        }
+        return level;
+    }
+
+    void go_on(const std::vector<std::pair<Cell, Placed>>& tops,
+               const std::array<Interval, 3>& box, const TapeLimits& limits) {
+        std::vector<std::vector<std::uint32_t>> words(tops.size());
+        base::share({tops.size(), limits.threads}, [&] {
+            return [&](std::size_t k) {
+                Maker maker(functions_, box, words_.size() + k);
+                const auto& [top, placed] = tops[k];
+                for (int part = 0; part < 8; ++part) {
+                    maker.descend(top.part(part), placed, levels_,
+                                  [&](const Cell& cell, const Placed& found) {
+                                      spans_[cell.place()] = found.spans;
+                                  });
+                }
+                words[k] = std::move(maker.words);
+            };
+        });
+        std::size_t room = 2 * limits.instructions;
+        for (std::size_t k = 0; k < tops.size(); ++k) {
+            if (words[k].size() > room) {
+                words[k].clear();
+                for (int part = 0; part < 8; ++part) forget(tops[k].first.part(part));
+            }
+            room -= words[k].size();
+            words_.push_back(std::move(words[k]));
+        }
+    }
+
+    void forget(const Cell& cell) {
+        spans_[cell.place()].clear();
+        for (int k = 0; cell.level < levels_ && k < 8; ++k) forget(cell.part(k));
+    }
+
+    // Cells that were not visited take the spans of those that hold them.
+    void inherit(const Cell& cell, const Spans& from) {
+        if (cell.level > levels_) return;
+        Spans& own = spans_[cell.place()];
+        if (own.empty()) own = from;
+        for (int k = 0; k < 8; ++k) inherit(cell.part(k), own);
+    }
+
+    const TapeFunctions& functions_;
+    int levels_ = -1;
+    std::vector<Spans> spans_; // of the whole space, then of the cells
+    std::vector<std::vector<std::uint32_t>> words_; // by owner
+};
+
+int inputs_of(const Tape& tape) {
     int inputs = 3;
-    for (const Instruction& now : program.instructions) {
-        if (now.kind == Instruction::Kind::operation && now.op == Op::input && now.index >= 3)
-            inputs = 6;
+    for (const TapeStep& step : tape.steps) {
+        if (step.op == Op::input && step.index >= 3) inputs = 6;
     }
     return inputs;
 }
 
 } // namespace
 
-std::optional<TapeFunction> TapeFunction::of(Program program, TapeNumbers numbers) {
+std::optional<TapeFunctions> TapeFunctions::of(std::vector<Program> programs,
+                                               const std::vector<TapeNumbers>& numbers) {
+    TapeFunctions made;
     int parameters = 0;
-    for (const Instruction& now : program.instructions) {
-        if (now.op == Op::parameter) parameters = std::max(parameters, now.index + 1);
+    for (const Program& program : programs) {
+        for (const Instruction& now : program.instructions) {
+            if (now.op == Op::parameter) parameters = std::max(parameters, now.index + 1);
+        }
     }
     // Any values do: the tape's shape does not depend on them.
     const std::vector<Interval> any(std::size_t(parameters), Interval(0.3));
-    const auto tape = tape_of(program, any);
-    if (!tape) return {};
-    const int inputs = inputs_of(program);
-    if (!words_of(*tape, TapeOperations(*tape, numbers), inputs)) return {};
-    return TapeFunction(std::move(program), numbers, inputs, *tape);
+    const auto whole = tape_of(programs, any);
+    if (!whole) return {};
+    int output = 0;
+    for (std::size_t k = 0; k < programs.size(); ++k) {
+        const int outputs = int(programs[k].outputs.size());
+        const Tape tape = part_of(*whole, output, outputs);
+        Function function{TapeOperations(tape, numbers[k]), output, outputs, inputs_of(tape)};
+        const auto words = words_of(tape, function.operations, function.inputs);
+        if (!words) return {};
+        function.registers = int(std::bit_ceil(unsigned(words->registers)));
+        function.turns = words->turns;
+        made.functions_.push_back(std::move(function));
+        output += outputs;
+    }
+    made.programs_ = std::move(programs);
+    made.chooses_ = std::ranges::any_of(whole->steps, decides);
+    return made;
 }
 
-TapeFunction::TapeFunction(Program program, TapeNumbers numbers, int inputs, const Tape& tape)
-    : program_(std::move(program))
-    , inputs_(inputs)
-    , operations_(tape, numbers) {
-    const TapeWords words = words_of(tape, operations_, inputs).value();
-    turns_ = words.turns;
-    registers_ = int(std::bit_ceil(unsigned(words.registers)));
-}
-
-Tape TapeFunction::whole(std::span<const float> parameters) const {
-    return tape_of(program_, on_doubles(parameters)).value();
+Tape TapeFunctions::whole(std::span<const float> parameters) const {
+    const std::vector<Interval> values(parameters.begin(), parameters.end());
+    return tape_of(programs_, values).value();
 }
 
 int TapeCells::spans_of_a_function() const { return int(first_of(levels + 1)); }
 
-TapeCells tape_cells(std::span<const std::reference_wrapper<const TapeFunction>> functions,
-                     std::span<const float> parameters,
+TapeCells tape_cells(std::span<const TapeFunctions> groups, std::span<const float> parameters,
                      const std::array<Interval, 3>& box, const TapeLimits& limits) {
     TapeCells cells;
     for (std::size_t k = 0; k < 3; ++k) {
         cells.low[k] = box[k].lo;
         cells.size[k] = box[k].hi - box[k].lo;
     }
-    std::vector<std::vector<Placed>> all;
-    for (const TapeFunction& function : functions) {
-        all.push_back(Maker(box, limits, cells)
-                          .run(function, parameters, limits.steps / double(functions.size())));
-        while (all.back().size() > first_of(cells.levels + 1)) ++cells.levels;
+    std::vector<GroupCells> all;
+    for (const TapeFunctions& group : groups) {
+        all.emplace_back(group, parameters, box, limits);
+        cells.levels = std::max(cells.levels, all.back().levels());
     }
-    // Where a function has no such level, its finest one serves.
-    const auto add = [&](const std::vector<Placed>& placed, int level, std::size_t cell) {
-        for (; level >= 0 && first_of(level) >= placed.size(); --level)
-            cell = parent_of(cell, level);
-        const Placed& found = placed[level < 0 ? 0 : first_of(level) + cell];
-        cells.spans.push_back(found.first);
-        cells.spans.push_back(found.count);
-    };
-    for (const std::vector<Placed>& placed : all) {
-        add(placed, -1, 0);
-        for (int level = 0; level <= cells.levels; ++level) {
-            for (std::size_t cell = 0; cell < cells_of(level); ++cell) add(placed, level, cell);
-        }
-    }
+    for (const GroupCells& group : all) group.add_to(cells);
     return cells;
 }
 

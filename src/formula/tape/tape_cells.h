@@ -1,43 +1,54 @@
-// The tapes of a function for the whole space, and for cells of a box: 1, 8, 64, ... of them.
+// The tapes of a field's functions for the whole space, and for cells of a box: 1, 8, 64, ... of
+// them.
 //
-// The tape of a cell for boxes holds half a cell around it, too. So a box as large as a cell lies in
-// that of the cell in which its middle is, and finds its tape by one look. Points need less.
+// The tape of a cell for boxes holds a quarter of a cell around it, too. So a box half as large as a
+// cell lies in that of the cell in which its middle is, and finds its tape by one look. Points need
+// less.
 #pragma once
 
 #include <array>
 #include <cstdint>
-#include <functional>
+#include <string>
 #include <vector>
 
 #include "formula/tape/tape_words.h"
 
 namespace isomotion::formula {
 
-// A function that an interpreter runs, with parameters that are not known yet.
-class TapeFunction {
+// Functions of the same inputs that are shortened together.
+class TapeFunctions {
 public:
-    // None for programs with loops over elements, or too many values at a time.
-    static std::optional<TapeFunction> of(Program program, TapeNumbers numbers);
+    // None for programs with loops over elements, or with too many values at a time. Each has its
+    // own operations.
+    static std::optional<TapeFunctions> of(std::vector<Program> programs,
+                                           const std::vector<TapeNumbers>& numbers);
 
-    const TapeOperations& operations() const { return operations_; }
-    int inputs() const { return inputs_; } // 3, or 6 with a direction behind them
-    int outputs() const { return int(program_.outputs.size()); }
-    int registers() const { return registers_; }
-    int turns() const { return turns_; } // of the whole tape
+    struct Function {
+        TapeOperations operations;
+        int first_output = 0, outputs = 0;
+        int inputs = 0;    // 3, or 6 with a direction behind them
+        int registers = 0; // a power of two
+        int turns = 0;     // of the whole tape
+    };
+    const Function& operator[](std::size_t k) const { return functions_[k]; }
+    std::size_t size() const { return functions_.size(); }
+    bool on_points() const { return functions_[0].operations.numbers() == TapeNumbers::floats; }
+
+    // Whether anything is decided in cells.
+    bool chooses() const { return chooses_; }
+
     Tape whole(std::span<const float> parameters) const;
 
 private:
-    TapeFunction(Program program, TapeNumbers numbers, int inputs, const Tape& tape);
-
-    Program program_;
-    int inputs_ = 0, registers_ = 0, turns_ = 0;
-    TapeOperations operations_;
+    std::vector<Program> programs_;
+    std::vector<Function> functions_;
+    bool chooses_ = false;
 };
 
 struct TapeCells {
     std::array<double, 3> low{}, size{}; // of the box
     int levels = 0;                      // 2^levels cells along each side are the finest
-    // First instruction and number of them, of each function in turn: of the whole space, of the
+    // First instruction and number of them, for each function in turn: of the whole space, of the
     // one cell of level 0, the eight of level 1, x first, and so on.
     std::vector<std::uint32_t> spans;
     std::vector<std::uint32_t> words;
@@ -47,12 +58,12 @@ struct TapeCells {
 
 struct TapeLimits {
     int threads = 1;
-    double steps = 3e7;                   // to be looked at
-    std::size_t instructions = 1u << 23;  // of all tapes
+    double steps = 3e7;                  // to be looked at, of each group of functions
+    std::size_t instructions = 1u << 23; // of all tapes
 };
 
-TapeCells tape_cells(std::span<const std::reference_wrapper<const TapeFunction>> functions,
-                     std::span<const float> parameters,
+// The functions of all groups, in turn.
+TapeCells tape_cells(std::span<const TapeFunctions> groups, std::span<const float> parameters,
                      const std::array<Interval, 3>& box, const TapeLimits& limits);
 
 } // namespace isomotion::formula
