@@ -20,8 +20,13 @@ uvec2 tape_of_cell(int spans, float level, float around, vec3 low, vec3 high) {
     return IM_BUFFER_AT(tape_spans, spans + (within ? place : 0)).xy;
 }
 
+// Without what is told of a cell without roots.
+uvec2 without_notes(uvec2 span) {
+    return uvec2(span.x, span.y & 0xffffffu);
+}
+
 uvec2 tape_at(int spans, vec3 p) {
-    return tape_of_cell(spans, TAPE_LEVELS, 0.0625, p, p);
+    return without_notes(tape_of_cell(spans, TAPE_LEVELS, 0.0625, p, p));
 }
 
 uvec2 tape_over(int spans, vec2 x, vec2 y, vec2 z) {

@@ -24,7 +24,7 @@ template<class T> void add_value(base::Fingerprint& print, const T& value) {
 // 1000 instructions for an eighth of the bounds to 90 for a thirty-second.
 double longest_piece_of_tapes(const scene::BoundsAt& bounds) {
     const glm::dvec3 size = bounds.max - bounds.min;
-    return std::max({size.x, size.y, size.z}) / 32;
+    return std::max({size.x, size.y, size.z}) / 40;
 }
 
 void add(base::Fingerprint& print, const FieldInputs& field) {

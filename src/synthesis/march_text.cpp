@@ -12,6 +12,7 @@
 #include "synthesis/paths_text.h"
 #include "synthesis/section_text.h"
 #include "synthesis/surfaces_text.h"
+#include "synthesis/tape_text.h"
 
 namespace isomotion::synthesis {
 namespace {
@@ -37,8 +38,13 @@ bool judges_touches(const scene::Scene& scene) {
 
 // The paper's methods go all the way, as the paper has them.
 bool passes_free_cells(const scene::Scene& scene, const Passes& passes) {
-    return array_with_grid(passes) &&
+    return (array_with_grid(passes) || (passes.tapes && passes.tapes->chooses())) &&
            scene::traits(scene.isolation.method).steps == scene::Steps::cubics;
+}
+
+void add_way_past(ShaderText& text, const Passes& passes) {
+    if (passes.tapes) add_way_past_free_tapes(text);
+    else add_way_past_free_cells(text);
 }
 
 // What finds a root between two samples, or in a piece.
@@ -50,6 +56,7 @@ void add_isolation(ShaderText& text, const scene::Scene& scene, const Passes& pa
     if (bounds || is_rough || judges_touches(scene)) text.file("march/piece_box.glsl");
     if (bounds || is_rough) text.file("march/piece_bounds.glsl");
     if (!bounds) {
+        if (passes.tapes && is_rough) add_signs_in_free_tapes(text, *passes.tapes);
         text.file(directional ? "march/sample_directional.glsl" : "march/sample_value.glsl");
     }
     add_files(text, method.test);
@@ -160,7 +167,7 @@ void add_march(ShaderText& text, const scene::Scene& scene, const Passes& passes
     add_turn(text, scene, passes);
     if (cuts && tells) end_turn_of_part(text);
     if (array_with_grid(passes)) text.define("GRID", 1);
-    if (passes_free_cells(scene, passes)) add_way_past_free_cells(text);
+    if (passes_free_cells(scene, passes)) add_way_past(text, passes);
     add_march_through_parts(text, scene, "march/march.glsl", tells);
 }
 
@@ -224,7 +231,7 @@ Pass shadow_pass(const scene::Scene& scene, const Passes& passes) {
         add_turn(text, scene, passes);
     }
     if (array_with_grid(passes)) text.define("GRID", 1);
-    if (passes_free_cells(scene, passes)) add_way_past_free_cells(text);
+    if (passes_free_cells(scene, passes)) add_way_past(text, passes);
     text.file(fmt::format("march/{}.glsl", method.any_hit));
     add_crossings(text, scene);
     if (!scene.sections.empty()) text.file("section/shadow.glsl");

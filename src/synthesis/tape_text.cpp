@@ -13,12 +13,6 @@
 namespace isomotion::synthesis {
 namespace {
 
-formula::TapeNumbers numbers_of(FieldFunction function) {
-    if (function == FieldFunction::rough) return formula::TapeNumbers::decorated;
-    return is_on_intervals(function) ? formula::TapeNumbers::intervals
-                                     : formula::TapeNumbers::floats;
-}
-
 std::string number_of(FieldFunction function) { return std::to_string(int(function)); }
 
 formula::IntervalSignature signature_of(FieldFunction function) {
@@ -46,6 +40,13 @@ formula::IntervalSignature signature_of(FieldFunction function) {
         break;
     }
     throw std::logic_error("second derivatives have no tape");
+}
+
+// Where its spans begin, in GLSL.
+std::string spans_of(FieldFunction function) {
+    const int place = int(function);
+    return fmt::format("int(tape_block[{}].{})", tape_vectors_of_place + place / 4,
+                       "xyzw"[place % 4]);
 }
 
 // The function itself: puts the inputs into registers, runs the tape, and takes the outputs.
@@ -110,28 +111,30 @@ void set_name(ShaderText& text, const std::string& name, const std::string& valu
 std::shared_ptr<const FieldTapes> FieldTapes::of(const formula::Field& field) {
     const formula::EnclosurePrograms over_boxes = formula::enclosure_programs(field);
     // Its decoration comes of running it.
-    formula::Program rough = over_boxes.rough;
-    rough.outputs.resize(1);
+    formula::Program enclosure_of_rough = over_boxes.rough;
+    enclosure_of_rough.outputs.resize(1);
+    using enum FieldFunction;
+    using enum formula::TapeNumbers;
     // Slopes last: values that these need stay next to them (formula/tape/tape.cpp).
-    std::vector<std::pair<FieldFunction, formula::Program>> on_points{
-        {FieldFunction::value, field.value}, {FieldFunction::directional, field.directional}};
-    if (field.wall_distance > 0) // a wall's normal is no slope along a ray
-        on_points.insert(on_points.begin(), {FieldFunction::gradient, field.gradient});
-    const std::vector<std::pair<FieldFunction, formula::Program>> on_boxes{
-        {FieldFunction::value_interval, over_boxes.value},
-        {FieldFunction::rough, rough},
-        {FieldFunction::breaks, over_boxes.breaks},
-        {FieldFunction::directional_interval, over_boxes.directional}};
+    const std::vector<std::vector<std::pair<FieldFunction, formula::TapeRequest>>> groups{
+        {{value, {field.value, floats}},
+         {gradient, {field.gradient, floats, 0}},
+         {directional, {field.directional, floats, 1, 1}}},
+        {{value_interval, {over_boxes.value, intervals}},
+         {rough, {enclosure_of_rough, decorated}},
+         {breaks, {over_boxes.breaks, intervals, 0}},
+         {directional_interval, {over_boxes.directional, intervals, 1, 1}}}};
     FieldTapes tapes;
-    for (const auto* group : std::initializer_list<decltype(&on_boxes)>{&on_points, &on_boxes}) {
-        std::vector<formula::Program> programs;
-        std::vector<formula::TapeNumbers> numbers;
-        for (const auto& [function, program] : *group) {
+    for (const auto& group : groups) {
+        std::vector<formula::TapeRequest> requests;
+        for (const auto& [function, request] : group) {
+            // Where jumps are walls, a normal is no slope along a ray. Elsewhere slopes along the
+            // axes keep fewer values at a time.
+            if (function == gradient && field.wall_distance == 0) continue;
             tapes.functions_.push_back(function);
-            programs.push_back(program);
-            numbers.push_back(numbers_of(function));
+            requests.push_back(request);
         }
-        auto made = formula::TapeFunctions::of(std::move(programs), numbers);
+        auto made = formula::TapeFunctions::of(requests);
         if (!made) return nullptr;
         tapes.groups_.push_back(std::move(*made));
     }
@@ -213,6 +216,34 @@ void add_tapes(ShaderText& text, const FieldTapes& tapes,
         if (!functions.contains(function))
             text.generated("along each axis", along_axes(function));
     }
+}
+
+void add_way_past_free_tapes(ShaderText& text) {
+    text.define("PASSES_FREE", 1);
+    text.define("TAPE_OF_RAYS", spans_of(FieldFunction::directional));
+    text.file("tape/free_cells.glsl");
+    text.file("march/pass_free.glsl");
+}
+
+void add_signs_in_free_tapes(ShaderText& text, const FieldTapes& tapes) {
+    const auto& of = tapes.function(FieldFunction::directional);
+    text.define("SIGNS_IN_FREE_CELLS", 1);
+    text.generated(
+        "runs tapes where there may be roots",
+        fmt::format("bool tape_is_free = false;\n"
+                    "vec2 field_directional_or_sign(vec3 p, vec3 d) {{\n"
+                    "    uvec2 span = tape_of_cell({}, TAPE_LEVELS, 0.0625, p, p);\n"
+                    "    tape_is_free = (span.y & 0x80000000u) != 0u;\n"
+                    "    vec2 f = vec2((span.y & 0x40000000u) != 0u ? -1.0e-30 : 1.0e-30, 0.0);\n"
+                    "    if (!tape_is_free) {{\n"
+                    "        vec3 at[2] = vec3[2](p, d);\n"
+                    "        for (int k = 0; k < {}; ++k) tape_numbers[k] = at[k / 3][k % 3];\n"
+                    "        run_tape_{}(without_notes(span));\n"
+                    "        f = vec2(tape_numbers[{}], tape_numbers[{}]);\n"
+                    "    }}\n"
+                    "    return f;\n}}\n",
+                    spans_of(FieldFunction::directional), of.inputs,
+                    int(FieldFunction::directional), of.inputs, of.inputs + 1));
 }
 
 } // namespace isomotion::synthesis

@@ -47,6 +47,11 @@ public:
     // Values there are those of `tape`, but for rounding.
     void operator()(const Tape& tape, std::span<const Interval> inputs, Tape& shortened);
 
+    // Bounds of an output over the last box.
+    Interval bounds_of(int output) const {
+        return values_[std::size_t(outputs_[std::size_t(output)])];
+    }
+
 private:
     int next(TapeStep step, std::span<const Interval> inputs);
     std::optional<int> chosen(const TapeStep& step, const std::array<Interval, 4>& of);

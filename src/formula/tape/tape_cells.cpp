@@ -16,7 +16,7 @@ constexpr int shared_level = 2;
 // Shorter tapes are not worth a look at eight parts.
 constexpr std::size_t short_enough = 24;
 // A cell has its own words if its tape is shorter than the one they are of by this factor.
-constexpr double shorter = 0.75;
+constexpr double shorter = 0.6;
 // The part of a cell that its tape holds around it: as in shaders/tape/cells.glsl.
 constexpr double around_for_points = 0.0625, around_for_boxes = 0.25;
 
@@ -56,11 +56,13 @@ struct Cell {
 // cells.
 using Owner = std::size_t;
 
-// Where the instructions of a function's tape lie, and how many steps the tape has.
+// Where the instructions of a function's tape lie, how many steps the tape has, and whether it is of
+// a cell that holds no root.
 struct Span {
     Owner owner = 0;
     std::uint32_t first = 0, count = 0;
     std::size_t steps = 0;
+    std::uint32_t notes = 0; // TapeCells::free and so on, or 0
 };
 using Spans = std::vector<Span>; // of each function of a group
 
@@ -73,10 +75,13 @@ struct Placed {
 // Goes through cells and makes words.
 class Maker {
 public:
-    Maker(const TapeFunctions& functions, const std::array<Interval, 3>& box, Owner owner)
+    // `finest`: the level of the finest cells.
+    Maker(const TapeFunctions& functions, const std::array<Interval, 3>& box, Owner owner,
+          int finest)
         : functions_(functions)
         , box_(box)
-        , owner_(owner) {}
+        , owner_(owner)
+        , finest_(finest) {}
 
     std::vector<std::uint32_t> words;
 
@@ -103,9 +108,22 @@ public:
         if (from.tape.steps.size() <= short_enough) return;
         Placed& here = open_[std::size_t(cell.level)];
         specialise_(from.tape, inputs_in(cell), here.tape);
-        here.spans = place(here.tape, from.spans);
+        const Interval f = specialise_.bounds_of(0);
+        const bool is_free = f.lo > 0 || f.hi < 0;
+        if (is_free && !functions_.on_points()) know_values(f, here.tape);
+        // Points look for their tape in the finest cells alone.
+        const bool serves = !functions_.on_points() || cell.level >= finest_ ||
+                            here.tape.steps.size() <= short_enough;
+        here.spans = serves && !(is_free && functions_.on_points())
+                         ? place(here.tape, from.spans)
+                         : from.spans;
+        for (Span& span : here.spans) {
+            if (is_free)
+                span.notes = TapeCells::free + (f.hi < 0 ? TapeCells::negative : 0) +
+                             std::uint32_t(cell.level) * TapeCells::level_unit;
+        }
         visit(cell, here);
-        for (int k = 0; cell.level < last && k < 8; ++k)
+        for (int k = 0; !is_free && cell.level < last && k < 8; ++k)
             descend(cell.part(k), here, last, visit);
     }
 
@@ -123,6 +141,7 @@ public:
                     double(cells_of(cell.level)) / samples * double(from->steps.size());
                 Tape& here = tapes[std::size_t(cell.level % 2)];
                 specialise_(*from, inputs_in(cell), here);
+                if (specialise_.bounds_of(0).lo > 0 || specialise_.bounds_of(0).hi < 0) break;
                 from = &here;
                 cell = cell.part(int(random() % 8));
             }
@@ -131,6 +150,21 @@ public:
     }
 
 private:
+    // Over boxes in which F keeps off 0, its bounds are all that anybody asks for.
+    void know_values(Interval f, Tape& tape) const {
+        const auto constant = [&](Interval value) {
+            tape.steps.push_back({.value = value});
+            return int(tape.steps.size()) - 1;
+        };
+        const int bounds = constant(f), any = constant(Interval::entire());
+        for (std::size_t k = 0; k < functions_.size(); ++k) {
+            const TapeFunctions::Function& of = functions_[k];
+            for (int o = 0; o < of.values + of.slopes; ++o)
+                tape.outputs[std::size_t(of.first_output + o)] = o < of.values ? bounds : any;
+        }
+        tape = part_of(tape, 0, int(tape.outputs.size()));
+    }
+
     // With what is around the cell, and what shaders lose when they look for it.
     std::array<Interval, 6> inputs_in(const Cell& cell) const {
         const double around = functions_.on_points() ? around_for_points : around_for_boxes;
@@ -150,6 +184,7 @@ private:
     const TapeFunctions& functions_;
     const std::array<Interval, 3>& box_;
     Owner owner_;
+    int finest_;
     Specialiser specialise_;
     std::array<Placed, most_levels + 1> open_; // the cells that hold the one visited
 };
@@ -160,11 +195,11 @@ public:
     GroupCells(const TapeFunctions& functions, std::span<const float> parameters,
                const std::array<Interval, 3>& box, const TapeLimits& limits)
         : functions_(functions) {
-        Maker maker(functions, box, 0);
         Placed whole{functions.whole(parameters), {}};
+        levels_ = levels_within(whole.tape, box, limits);
+        Maker maker(functions, box, 0, levels_);
         constexpr std::size_t longest = std::numeric_limits<std::size_t>::max();
         whole.spans = maker.place(whole.tape, Spans(functions.size(), {0, 0, 0, longest}));
-        levels_ = levels_within(maker, whole.tape, limits);
         spans_.resize(first_of(levels_ + 1));
         spans_[0] = whole.spans;
         std::vector<std::pair<Cell, Placed>> tops; // that threads go on from
@@ -192,7 +227,8 @@ public:
         for (std::size_t k = 0; k < functions_.size(); ++k) {
             const auto add = [&](const Spans& spans) {
                 cells.spans.push_back(begins[spans[k].owner] + spans[k].first);
-                cells.spans.push_back(spans[k].count);
+                cells.spans.push_back(spans[k].count +
+                                      (functions_.on_points() ? spans[k].notes : 0));
             };
             add(spans_[0]);
             for (int level = 0; level <= cells.levels; ++level) {
@@ -210,11 +246,12 @@ public:
     }
 
 private:
-    int levels_within(Maker& maker, const Tape& whole, const TapeLimits& limits) const {
+    int levels_within(const Tape& whole, const std::array<Interval, 3>& box,
+                      const TapeLimits& limits) const {
         int level = -1;
         if (!functions_.chooses()) return level;
         double sum = 0;
-        for (const double work : maker.work_of_levels(whole)) {
+        for (const double work : Maker(functions_, box, 0, most_levels).work_of_levels(whole)) {
             sum += work;
             if (sum > limits.steps) break;
             ++level;
@@ -227,7 +264,7 @@ private:
         std::vector<std::vector<std::uint32_t>> words(tops.size());
         base::share({tops.size(), limits.threads}, [&] {
             return [&](std::size_t k) {
-                Maker maker(functions_, box, words_.size() + k);
+                Maker maker(functions_, box, words_.size() + k, levels_);
                 const auto& [top, placed] = tops[k];
                 for (int part = 0; part < 8; ++part) {
                     maker.descend(top.part(part), placed, levels_,
@@ -278,24 +315,27 @@ int inputs_of(const Tape& tape) {
 
 } // namespace
 
-std::optional<TapeFunctions> TapeFunctions::of(std::vector<Program> programs,
-                                               const std::vector<TapeNumbers>& numbers) {
+std::optional<TapeFunctions> TapeFunctions::of(const std::vector<TapeRequest>& requests) {
     TapeFunctions made;
     int parameters = 0;
-    for (const Program& program : programs) {
-        for (const Instruction& now : program.instructions) {
+    for (const TapeRequest& request : requests) {
+        for (const Instruction& now : request.program.instructions) {
             if (now.op == Op::parameter) parameters = std::max(parameters, now.index + 1);
         }
+        made.programs_.push_back(request.program);
     }
     // Any values do: the tape's shape does not depend on them.
     const std::vector<Interval> any(std::size_t(parameters), Interval(0.3));
-    const auto whole = tape_of(programs, any);
+    const auto whole = tape_of(made.programs_, any);
     if (!whole) return {};
     int output = 0;
-    for (std::size_t k = 0; k < programs.size(); ++k) {
-        const int outputs = int(programs[k].outputs.size());
+    for (const TapeRequest& request : requests) {
+        const int outputs = int(request.program.outputs.size());
         const Tape tape = part_of(*whole, output, outputs);
-        Function function{TapeOperations(tape, numbers[k]), output, outputs, inputs_of(tape)};
+        Function function{TapeOperations(tape, request.numbers), output, outputs};
+        function.values = request.values;
+        function.slopes = request.slopes;
+        function.inputs = inputs_of(tape);
         const auto words = words_of(tape, function.operations, function.inputs);
         if (!words) return {};
         function.registers = int(std::bit_ceil(unsigned(words->registers)));
@@ -303,7 +343,6 @@ std::optional<TapeFunctions> TapeFunctions::of(std::vector<Program> programs,
         made.functions_.push_back(std::move(function));
         output += outputs;
     }
-    made.programs_ = std::move(programs);
     made.chooses_ = std::ranges::any_of(whole->steps, decides);
     return made;
 }

@@ -15,17 +15,24 @@
 
 namespace isomotion::formula {
 
-// Functions of the same inputs that are shortened together.
+// A function of a field to be run as a tape. The first outputs, so many, are F, and those behind
+// them slopes of F.
+struct TapeRequest {
+    Program program;
+    TapeNumbers numbers{};
+    int values = 1, slopes = 0;
+};
+
+// Functions that are shortened together. The first output is F.
 class TapeFunctions {
 public:
-    // None for programs with loops over elements, or with too many values at a time. Each has its
-    // own operations.
-    static std::optional<TapeFunctions> of(std::vector<Program> programs,
-                                           const std::vector<TapeNumbers>& numbers);
+    // None for programs with loops over elements, or with too many values at a time.
+    static std::optional<TapeFunctions> of(const std::vector<TapeRequest>& requests);
 
     struct Function {
         TapeOperations operations;
         int first_output = 0, outputs = 0;
+        int values = 0, slopes = 0; // of these
         int inputs = 0;    // 3, or 6 with a direction behind them
         int registers = 0; // a power of two
         int turns = 0;     // of the whole tape
@@ -49,8 +56,12 @@ struct TapeCells {
     std::array<double, 3> low{}, size{}; // of the box
     int levels = 0;                      // 2^levels cells along each side are the finest
     // First instruction and number of them, for each function in turn: of the whole space, of the
-    // one cell of level 0, the eight of level 1, x first, and so on.
+    // one cell of level 0, the eight of level 1, x first, and so on. Where a cell for points holds no
+    // root, `free` is added to the number, `negative` if F is, and the level of the largest such
+    // cell around it, times `level_unit`.
     std::vector<std::uint32_t> spans;
+    static constexpr std::uint32_t free = 1u << 31, negative = 1u << 30,
+                                   level_unit = 1u << 24;
     std::vector<std::uint32_t> words;
 
     int spans_of_a_function() const;
@@ -58,8 +69,8 @@ struct TapeCells {
 
 struct TapeLimits {
     int threads = 1;
-    double steps = 3e7;                  // to be looked at, of each group of functions
-    std::size_t instructions = 1u << 23; // of all tapes
+    double steps = 6e7;                  // to be looked at, of each group of functions
+    std::size_t instructions = 1u << 24; // of each group
 };
 
 // The functions of all groups, in turn.

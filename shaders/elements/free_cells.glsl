@@ -1,4 +1,4 @@
-// Moves rays past cells that have no root by the bounds of the sums (src/elements/element_grid.h).
+// Cells that have no root by the bounds of the sums (src/elements/element_grid.h).
 
 // The end of the rootless part of the ray that holds t; t itself if a root may be there.
 float end_of_free(Ray ray, float t) {
@@ -19,18 +19,4 @@ float end_of_free(Ray ray, float t) {
         t += max(min(ends.x, min(ends.y, ends.z)), 0.0) + beyond;
     }
     return min(t, ray.t_far);
-}
-
-// Restarts a ray that stands where there is no root, at the next t where there may be one.
-RayState pass_free(RayState s, Ray ray) {
-    if (s.phase != PHASE_START && s.phase != PHASE_MARCH) return s;
-    float t = end_of_free(ray, s.low);
-    if (!(t > s.low)) return s;
-    s.low = s.high = t;
-    s.phase = PHASE_START;
-    s.refinements = 0;
-    s.other = vec3(0.0);
-    s.open_end = 0.0;
-    if (t >= ray.t_far) return finish(s, VERDICT_MISS);
-    return s;
 }
