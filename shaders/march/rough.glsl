@@ -63,7 +63,11 @@ bool passes_no_value(inout RayState s, Ray ray, vec2 f) {
 // Moves on to t, where F is f and before which there is no root.
 RayState pass_piece(RayState s, Ray ray, float t, vec2 f, vec3 other) {
     s.refinements = s.refinements == BY_BOUNDS ? 0 : s.refinements + 1;
-    s.high = next_end(s, ray, t, max(2.0 * (t - s.low), finest_at(t)));
+    float length = 2.0 * (t - s.low);
+#ifdef SIGNS_IN_FREE_CELLS
+    length = min(length, cubics.y); // tapes of longer pieces take longer than the pieces are
+#endif
+    s.high = next_end(s, ray, t, max(length, finest_at(t)));
     s.low = t;
     s.f_low = f;
     s.other = other;

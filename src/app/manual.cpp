@@ -65,7 +65,8 @@ the OSMesa library to load instead of the system's
 .B ISOMOTION_LARGEST_SHADERS
 how many operations a scene's shaders may have, as
 .B isomotion show
-counts them, instead of what a driver compiles in some ten seconds
+counts them, instead of what a driver compiles in some ten seconds; longer formulas are run
+instruction by instruction, all of them with a limit of 1
 .SH EXIT STATUS
 .TP
 .B 0

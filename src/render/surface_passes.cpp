@@ -8,6 +8,7 @@
 #include "scene/surfaces.h"
 #include "synthesis/inlined_size.h"
 #include "synthesis/surfaces_text.h"
+#include "synthesis/tape_text.h"
 
 namespace isomotion::render {
 namespace {
@@ -122,6 +123,7 @@ SurfacePasses::SurfacePasses(PlannedSurface planned, const RenderOptions& option
         listed += light_beams->listed();
     }
     field.emplace(passes, listed);
+    if (passes.tapes) tapes_are_run_ = passes.tapes->are_run(passes);
     if (const auto array = synthesis::array_with_grid(passes))
         grid_maker_ = elements::GridMaker::of(*scene.surface.field, *array);
 }
@@ -133,6 +135,7 @@ InputLayout SurfacePasses::layout(int width, int height) const {
     const int threads =
         threads_ > 0 ? threads_ : std::max(1, int(std::thread::hardware_concurrency()));
     all.tape_limits.threads = threads;
+    all.tape_limits.are_run = tapes_are_run_;
     all.tape_limits.instructions = std::min(all.tape_limits.instructions, most_listed_);
     if (!grid_maker_) return all;
     all.grid = &*grid_maker_;

@@ -65,6 +65,7 @@ private:
     ElementRadius element_radius_;
     std::optional<elements::GridMaker> grid_maker_;
     int threads_;
+    std::vector<bool> tapes_are_run_;
     std::size_t most_listed_;
 };
 

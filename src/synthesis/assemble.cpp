@@ -125,10 +125,13 @@ Passes assemble_with(const std::shared_ptr<const FieldTapes>& tapes, const scene
 Passes assemble(const scene::Scene& scene, const std::vector<Channel>& channels,
                 const Drawing& drawing) {
     Passes compiled = assemble_with(nullptr, scene, channels, drawing);
-    if (drawing.platform == Platform::webgl || inlined_size(compiled) <= largest_shaders())
-        return compiled;
+    const double size = inlined_size(compiled);
+    if (drawing.platform == Platform::webgl || size <= largest_shaders()) return compiled;
     const auto tapes = FieldTapes::of(*scene.surface.field);
-    return tapes ? assemble_with(tapes, scene, channels, drawing) : compiled;
+    if (!tapes) return compiled;
+    Passes run = assemble_with(tapes, scene, channels, drawing);
+    run.size_compiled = size;
+    return run;
 }
 
 } // namespace isomotion::synthesis

@@ -1,5 +1,7 @@
 // Assembles a scene's passes: the files of shaders/ that the scene needs, and the generated field.
 //
+// A formula that a driver would compile too long is run by an interpreter instead (tape_text.h).
+//
 // The text depends on the formula's structure, the bounds' shape, the method, the effects named,
 // the number of lights and the channels requested. It also depends on what reading the scene found
 // about the formula: whether it is smooth, the power of two that it is multiplied with, and how

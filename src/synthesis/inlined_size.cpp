@@ -15,7 +15,7 @@
 namespace isomotion::synthesis {
 namespace {
 
-constexpr double usual_largest = 55'000;
+constexpr double usual_largest = 40'000;
 
 constexpr std::string_view letters =
     "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_";
@@ -27,6 +27,7 @@ std::string_view line_of(std::string_view& rest) {
 }
 
 struct Function {
+    bool is_of_field = false; // generated from a formula
     int overloads = 0;
     double operators = 0;
     std::map<std::string_view, int> calls; // of words before a parenthesis: no functions among them
@@ -42,10 +43,23 @@ std::string_view function_begun_by(std::string_view line) {
     return space == before.npos ? std::string_view() : before.substr(space + 1);
 }
 
+// Numbers and parameters of a formula: Mesa keeps each in a register of its own, and its time for
+// registers grows with all of them. A polynomial of 1000 coefficients took twice as long as a sum of
+// as many operations without.
+constexpr double operators_of_a_number = 1.5;
+
+bool begins_number(std::string_view line, std::size_t k) {
+    const bool is_digit = std::isdigit(static_cast<unsigned char>(line[k])) != 0;
+    return is_digit && (k == 0 || (letters.find(line[k - 1]) == letters.npos && line[k - 1] != '.'));
+}
+
 void add_body(Function& function, std::string_view line) {
     line = line.substr(0, line.find("//"));
     for (std::size_t k = 0; k < line.size(); ++k) {
         function.operators += std::string_view("-+*/<>=?").find(line[k]) != std::string_view::npos;
+        // That of a parameter is its place.
+        if (function.is_of_field && begins_number(line, k))
+            function.operators += operators_of_a_number;
         if (line[k] != '(') continue;
         const std::size_t before = line.substr(0, k).find_last_not_of(letters) + 1;
         if (before < k) ++function.calls[line.substr(before, k - before)];
@@ -62,6 +76,7 @@ std::map<std::string_view, Function> functions_of(std::string_view shader) {
         } else if (const auto name = function_begun_by(line); !name.empty()) {
             open = &functions[name];
             ++open->overloads;
+            open->is_of_field = name.starts_with("field");
         } else if (open) {
             add_body(*open, line);
         }
@@ -126,13 +141,16 @@ double largest_shaders() {
 }
 
 void check_size(const Passes& passes) {
-    const double size = inlined_size(passes), largest = largest_shaders();
+    const double size = inlined_size(passes);
+    // A limit of 1 runs each formula as tapes; what is left to compile may be as long as usual.
+    const double largest =
+        passes.tapes ? std::max(largest_shaders(), usual_largest) : largest_shaders();
     if (size <= largest) return;
     throw std::length_error(fmt::format(
-        "the formula is long: the scene's shaders have {:.0f} operations once every call is in its "
-        "place, and a driver compiles {:.0f} in some ten seconds, twice as many in four times as "
-        "long; sum over an array what repeats itself, or set ISOMOTION_LARGEST_SHADERS={:.0f} and "
-        "wait",
+        "the scene's shaders have {:.0f} operations once every call is in its place, and a driver "
+        "compiles {:.0f} in some ten seconds, twice as many in four times as long; sum over an array "
+        "what repeats itself, shorten what colours the surface, or set "
+        "ISOMOTION_LARGEST_SHADERS={:.0f} and wait",
         std::ceil(size), largest, std::ceil(size)));
 }
 

@@ -124,6 +124,7 @@ struct Passes : FieldStorage {
     Stage stage = Stage::fragment; // of rays and beams; other passes are fragment shaders
     bool branches = false;         // steps of rays may, since the processor skips what none takes
     int state_textures = 2;        // for a ray's state between passes
+    double size_compiled = 0; // of the passes that tapes take the place of (inlined_size.h)
     // The functions of the field that a step of the march evaluates. For long formulas the march
     // also samples the gradient at the root, which otherwise the shade pass does.
     std::vector<FieldFunction> samples;

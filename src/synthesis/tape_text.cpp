@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "formula/glsl/glsl_interval.h"
+#include "synthesis/pass.h"
 #include "synthesis/shader_files.h"
 #include "synthesis/shader_text.h"
 
@@ -147,6 +148,18 @@ const formula::TapeFunctions::Function& FieldTapes::function(FieldFunction of) c
     k -= groups_[0].size();
     if (k >= groups_[1].size()) throw std::logic_error("a function without a tape");
     return groups_[1][k];
+}
+
+std::vector<bool> FieldTapes::are_run(const Passes& passes) const {
+    std::vector<bool> all;
+    for (const FieldFunction function : functions_) {
+        const std::string run = fmt::format("run_tape_{}({}", int(function),
+                                            is_on_intervals(function) ? "tape_over" : "");
+        all.push_back(std::ranges::any_of(passes.list, [&](const Pass& pass) {
+            return pass.text.find(run) != std::string::npos;
+        }));
+    }
+    return all;
 }
 
 bool FieldTapes::chooses() const {

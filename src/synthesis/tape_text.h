@@ -11,6 +11,8 @@
 
 namespace isomotion::synthesis {
 
+struct Passes;
+
 // The functions of a field as an interpreter runs them.
 class FieldTapes {
 public:
@@ -25,6 +27,9 @@ public:
 
     // Those on points, then those on boxes.
     std::span<const formula::TapeFunctions> groups() const { return groups_; }
+
+    // For each of the functions, whether these shaders run it.
+    std::vector<bool> are_run(const Passes& passes) const;
 
     // Whether tapes are shorter in parts of the space.
     bool chooses() const;

@@ -5,7 +5,7 @@
 #include <map>
 #include <tuple>
 
-#include "formula/interval/chebyshev_enclosure.h"
+#include "formula/glsl/exact_results.h"
 #include "formula/interval/interval_operations.h"
 
 namespace isomotion::formula {
@@ -116,8 +116,11 @@ public:
         : steps_(steps) {}
 
     int step(const TapeStep& step) {
-        const Key key{step.op,       step.index,
-                      step.second,   std::bit_cast<std::uint64_t>(step.value.lo),
+        const Key key{step.op,
+                      step.is_exact,
+                      step.index,
+                      step.second,
+                      std::bit_cast<std::uint64_t>(step.value.lo),
                       step.operands};
         const auto [known, is_new] = known_.try_emplace(key, int(steps_.size()));
         if (is_new) steps_.push_back(step);
@@ -125,7 +128,7 @@ public:
     }
 
 private:
-    using Key = std::tuple<Op, int, int, std::uint64_t, std::array<int, 4>>;
+    using Key = std::tuple<Op, bool, int, int, std::uint64_t, std::array<int, 4>>;
     std::vector<TapeStep>& steps_;
     std::map<Key, int> known_;
 };
@@ -230,12 +233,14 @@ std::optional<Tape> tape_of(std::span<const Program> programs,
     Joiner joiner(tape.steps);
     for (const Program& program : programs) {
         std::vector<int> place(std::size_t(program.registers), -1);
+        const std::vector<bool> exact = exact_results(program);
         for (const Instruction& now : program.instructions) {
             const bool is_known = now.kind == Instruction::Kind::operation &&
                                   now.op != Op::element && now.op != Op::random;
             if (!is_known) return {};
             TapeStep step{
                 .op = now.op, .arity = now.arity, .index = now.index, .second = now.second};
+            step.is_exact = exact[std::size_t(now.result)];
             if (now.op == Op::constant) step.value = now.value;
             for (std::size_t k = 0; k < now.arity; ++k)
                 step.operands[k] = place[std::size_t(now.operands[k])];

@@ -20,6 +20,7 @@ namespace isomotion::formula {
 struct TapeStep {
     Op op = Op::constant; // constant, input or an operation; parameters are constants
     std::uint8_t arity = 0;
+    bool is_exact = false;         // on intervals, where it can be: glsl/exact_results.h
     int index = 0;                 // of an input; the degree of chebyshev
     int second = 0;                // the derivative of chebyshev
     std::array<int, 4> operands{}; // earlier steps

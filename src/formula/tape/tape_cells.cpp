@@ -76,9 +76,10 @@ struct Placed {
 class Maker {
 public:
     // `finest`: the level of the finest cells.
-    Maker(const TapeFunctions& functions, const std::array<Interval, 3>& box, Owner owner,
-          int finest)
+    Maker(const TapeFunctions& functions, std::span<const char> are_run,
+          const std::array<Interval, 3>& box, Owner owner, int finest)
         : functions_(functions)
+        , are_run_(are_run)
         , box_(box)
         , owner_(owner)
         , finest_(finest) {}
@@ -90,6 +91,7 @@ public:
         Spans spans = longer;
         for (std::size_t k = 0; k < functions_.size(); ++k) {
             const TapeFunctions::Function& of = functions_[k];
+            if (!are_run_[k]) continue;
             if (double(tape.steps.size()) > shorter * double(longer[k].steps)) continue;
             const auto made = words_of(part_of(tape, of.first_output, of.outputs), of.operations,
                                        of.inputs, of.registers);
@@ -182,6 +184,7 @@ private:
     }
 
     const TapeFunctions& functions_;
+    std::span<const char> are_run_;
     const std::array<Interval, 3>& box_;
     Owner owner_;
     int finest_;
@@ -192,12 +195,14 @@ private:
 // The cells of one group of functions.
 class GroupCells {
 public:
-    GroupCells(const TapeFunctions& functions, std::span<const float> parameters,
-               const std::array<Interval, 3>& box, const TapeLimits& limits)
-        : functions_(functions) {
+    GroupCells(const TapeFunctions& functions, std::vector<char> are_run,
+               std::span<const float> parameters, const std::array<Interval, 3>& box,
+               const TapeLimits& limits)
+        : functions_(functions)
+        , are_run_(std::move(are_run)) {
         Placed whole{functions.whole(parameters), {}};
         levels_ = levels_within(whole.tape, box, limits);
-        Maker maker(functions, box, 0, levels_);
+        Maker maker(functions, are_run_, box, 0, levels_);
         constexpr std::size_t longest = std::numeric_limits<std::size_t>::max();
         whole.spans = maker.place(whole.tape, Spans(functions.size(), {0, 0, 0, longest}));
         spans_.resize(first_of(levels_ + 1));
@@ -220,6 +225,9 @@ public:
     // Adds the words, and for each function its spans down to a level of all groups.
     void add_to(TapeCells& cells) const {
         std::vector<std::uint32_t> begins;
+        std::size_t total = cells.words.size();
+        for (const std::vector<std::uint32_t>& words : words_) total += words.size();
+        cells.words.reserve(total);
         for (const std::vector<std::uint32_t>& words : words_) {
             begins.push_back(std::uint32_t(cells.words.size() / 2));
             cells.words.insert(cells.words.end(), words.begin(), words.end());
@@ -251,7 +259,7 @@ private:
         int level = -1;
         if (!functions_.chooses()) return level;
         double sum = 0;
-        for (const double work : Maker(functions_, box, 0, most_levels).work_of_levels(whole)) {
+        for (const double work : Maker(functions_, are_run_, box, 0, most_levels).work_of_levels(whole)) {
             sum += work;
             if (sum > limits.steps) break;
             ++level;
@@ -264,7 +272,7 @@ private:
         std::vector<std::vector<std::uint32_t>> words(tops.size());
         base::share({tops.size(), limits.threads}, [&] {
             return [&](std::size_t k) {
-                Maker maker(functions_, box, words_.size() + k, levels_);
+                Maker maker(functions_, are_run_, box, words_.size() + k, levels_);
                 const auto& [top, placed] = tops[k];
                 for (int part = 0; part < 8; ++part) {
                     maker.descend(top.part(part), placed, levels_,
@@ -300,6 +308,7 @@ private:
     }
 
     const TapeFunctions& functions_;
+    std::vector<char> are_run_;
     int levels_ = -1;
     std::vector<Spans> spans_; // of the whole space, then of the cells
     std::vector<std::vector<std::uint32_t>> words_; // by owner
@@ -362,8 +371,12 @@ TapeCells tape_cells(std::span<const TapeFunctions> groups, std::span<const floa
         cells.size[k] = box[k].hi - box[k].lo;
     }
     std::vector<GroupCells> all;
+    std::size_t function = 0;
     for (const TapeFunctions& group : groups) {
-        all.emplace_back(group, parameters, box, limits);
+        std::vector<char> are_run; // no bits, which threads could not share
+        for (std::size_t k = 0; k < group.size(); ++k, ++function)
+            are_run.push_back(limits.are_run.empty() || limits.are_run[function]);
+        all.emplace_back(group, std::move(are_run), parameters, box, limits);
         cells.levels = std::max(cells.levels, all.back().levels());
     }
     for (const GroupCells& group : all) group.add_to(cells);

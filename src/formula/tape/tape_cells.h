@@ -69,8 +69,10 @@ struct TapeCells {
 
 struct TapeLimits {
     int threads = 1;
-    double steps = 6e7;                  // to be looked at, of each group of functions
+    double steps = 1e8;                  // to be looked at, of each group of functions
     std::size_t instructions = 1u << 24; // of each group
+    // For each function of all groups, whether it is run: others have empty spans. Empty for all.
+    std::vector<bool> are_run{};
 };
 
 // The functions of all groups, in turn.

@@ -96,6 +96,20 @@ std::string rough_where(Op op) {
     }
 }
 
+// What exact.glsl makes of the operation's result v.
+std::string made_exact(Op op, const std::string& v) {
+    switch (op) {
+    case Op::add:
+        return fmt::format("im_exact_sum(a, b, {})", v);
+    case Op::subtract:
+        return fmt::format("im_exact_sum(a, -b.yx, {})", v);
+    case Op::multiply:
+        return fmt::format("im_exact_product(a, b, {})", v);
+    default:
+        return fmt::format("im_exact_quotient(a, b, {})", v);
+    }
+}
+
 class Encoder {
 public:
     Encoder(const Tape& tape, const TapeOperations& operations, int inputs)
@@ -278,16 +292,21 @@ TapeOperations::TapeOperations(const Tape& whole, TapeNumbers numbers)
         // What these come to within a box.
         if (step.op == Op::abs || step.op == Op::multiply || step.op == Op::subtract)
             operations.insert({.op = Op::negate});
-        if (step.op == Op::multiply) operations.insert({.op = Op::multiply, .of_one = true});
+        if (step.op == Op::multiply) {
+            Operation square = operation(step);
+            square.of_one = true;
+            operations.insert(square);
+        }
     }
     operations_.assign(operations.begin(), operations.end());
     calls_.assign(calls.begin(), calls.end());
 }
 
-TapeOperations::Operation TapeOperations::operation(const TapeStep& step) {
+TapeOperations::Operation TapeOperations::operation(const TapeStep& step) const {
     const bool is_chebyshev = step.op == Op::chebyshev;
     return {step.op, is_chebyshev ? step.index : 0, is_chebyshev ? step.second : 0,
-            step.op == Op::multiply && step.operands[0] == step.operands[1]};
+            step.op == Op::multiply && step.operands[0] == step.operands[1],
+            step.is_exact && numbers_ != TapeNumbers::floats};
 }
 
 bool TapeOperations::is_call(const TapeStep& step, TapeNumbers) { return takes_long(step.op); }
@@ -307,6 +326,7 @@ std::set<std::string> TapeOperations::kernels() const {
             const Program alone = program(one);
             all.merge(numbers_ == TapeNumbers::floats ? kernels_used(alone)
                                                       : interval_kernels_used(alone));
+            if (one.is_exact) all.emplace("exact");
         }
     }
     return all;
@@ -346,8 +366,10 @@ std::string TapeOperations::functions(const std::string& name, const std::vector
         const std::vector<std::string> inputs{"a", "b", "c", "d"};
         text += floats ? emit_glsl(alone, {head, type, inputs}, {})
                        : emit_interval_glsl(alone, {head, inputs, type, {}}, {});
-        chosen += fmt::format("    v = {}(op == {}u, {}({}), v);\n", select, first + k, function,
-                              chooses ? "held_a, held_b, a, b" : "a, b");
+        std::string result =
+            fmt::format("{}({})", function, chooses ? "held_a, held_b, a, b" : "a, b");
+        if (of[k].is_exact) result = made_exact(of[k].op, result);
+        chosen += fmt::format("    v = {}(op == {}u, {}, v);\n", select, first + k, result);
         const std::string rough =
             numbers_ == TapeNumbers::decorated ? rough_where(of[k].op) : std::string();
         if (!rough.empty()) {

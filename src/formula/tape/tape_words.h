@@ -54,9 +54,10 @@ private:
         Op op{};
         int index = 0, second = 0;
         bool of_one = false; // the square
+        bool is_exact = false;
         auto operator<=>(const Operation&) const = default;
     };
-    static Operation operation(const TapeStep& step);
+    Operation operation(const TapeStep& step) const;
     std::string functions(const std::string& name, const std::vector<Operation>& of,
                           std::uint32_t first) const;
     Program program(const Operation& of) const;

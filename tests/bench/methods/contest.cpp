@@ -133,7 +133,7 @@ double operations(const scene::Scene& scene, scene::Method method) {
             return function != synthesis::FieldFunction::rough && is_on_intervals(function);
         });
     }
-    return synthesis::cost(*scene.surface.field, of_a_sample, counts).operations;
+    return synthesis::cost(*scene.surface.field, passes, of_a_sample, counts).operations;
 }
 
 double ratio(const Timing& slow, const Timing& fast) {

@@ -1,0 +1,138 @@
+// Formulas that are run from tapes of their instructions are drawn as those that are compiled.
+#include "render/drawing.h"
+
+#include <cstdlib>
+#include <string>
+#include <vector>
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include "synthesis/assemble.h"
+#include "synthesis/inlined_size.h"
+
+namespace isomotion::render::tapes_test {
+namespace {
+
+class Tapes : public Drawing {};
+ISOMOTION_ON_EVERY_BACKEND(Tapes);
+
+// During its lifetime each formula is run.
+class RunEach {
+public:
+    RunEach() { ::setenv("ISOMOTION_LARGEST_SHADERS", "1", 1); }
+    ~RunEach() { ::unsetenv("ISOMOTION_LARGEST_SHADERS"); }
+    RunEach(const RunEach&) = delete;
+    RunEach& operator=(const RunEach&) = delete;
+};
+
+std::string scene_text(const std::string& formula, const std::string& more = "") {
+    return fmt::format("surface.formula = \"{}\"\nsurface.bounds.sphere = 2\n"
+                       "output.size = [48, 48]\n{}",
+                       formula, more);
+}
+
+// Pixels that differ by their verdict, or by more than a thousandth in depth.
+int unlike(const Picture& a, const Picture& b) {
+    const auto& verdicts = a.frame.find("verdict")->samples;
+    const auto& others = b.frame.find("verdict")->samples;
+    const auto& depths = a.frame.find("Z")->samples;
+    const auto& other_depths = b.frame.find("Z")->samples;
+    int count = 0;
+    for (std::size_t k = 0; k < verdicts.size(); ++k) {
+        const bool far = std::isfinite(depths[k]) && !(std::abs(depths[k] - other_depths[k]) < 1e-3);
+        count += verdicts[k] != others[k] || far;
+    }
+    return count;
+}
+
+void expect_alike(gpu::Context& context, const std::string& text, int frame = 1) {
+    SCOPED_TRACE(text);
+    const scene::Scene scene = scene_of(text);
+    const Picture compiled = draw(context, scene, frame);
+    const RunEach run;
+    ASSERT_TRUE(synthesis::assemble(scene).tapes);
+    const Picture by_tapes = draw(context, scene, frame);
+    EXPECT_GT(count(compiled, Verdict::hit), 20);
+    EXPECT_LE(unlike(compiled, by_tapes), 2);
+    EXPECT_EQ(count(by_tapes, Verdict::nan), count(compiled, Verdict::nan));
+}
+
+TEST_P(Tapes, DrawWhatIsCompiled) {
+    for (const char* formula : {
+             "x^2 + y^2 + z^2 - 1",                                   // smooth
+             "(x^2 + y^2 + z^2 + 0.6)^2 - 4*(x^2 + y^2)",             // two roots and more
+             "max(max(abs(x), abs(y)), abs(z)) - 0.9",                // kinks
+             "min(x^2 + y^2 - 0.1, max(abs(z), abs(x - 0.4)) - 0.5)", // bodies joined
+             "exp(-x^2) + log(1.5 + y^2) - cos(2*z) - sin(x*y)",      // calls
+             "abs(x)^1.5 + abs(y)^0.7 + abs(z)^2.5 - 1",              // powers
+             "z - 0.2*floor(4*x)",                                    // jumps
+             "1/(x^2 + 0.2) + y^2 + z^2 - 2",                         // quotients
+             "chebyshev(6, x) + chebyshev(6, y) + chebyshev(6, z)",
+             "sqrt(x^2 + y^2) - 1 + z*tanh(z)*atan(x/(2 + y))",
+         })
+        expect_alike(*context, scene_text(formula));
+}
+
+TEST_P(Tapes, FollowParametersThatMove) {
+    const std::string moving = "[parameters]\nr = \"0.5 + t/60\"\n[time]\nframes = 30\n"
+                               "fps = 30\n";
+    expect_alike(*context, scene_text("max(abs(x) - r, x^2 + y^2 + z^2 - 1.2*r)", moving), 1);
+    expect_alike(*context, scene_text("max(abs(x) - r, x^2 + y^2 + z^2 - 1.2*r)", moving), 30);
+}
+
+TEST_P(Tapes, ShadowsMirrorsAndSectionsFollow) {
+    const std::string body = "max(max(abs(x), abs(y)), abs(z)) - 0.7";
+    expect_alike(*context, scene_text(body, "[occlusion]\nradius = 0.5\n"));
+    expect_alike(*context, scene_text(body, "[[lights]]\ndirection = [1, 1, 2]\nshadow = true\n"));
+    expect_alike(*context, scene_text(body, "material.reflection = \"self\"\n"));
+    expect_alike(*context, scene_text(body, "[[sections]]\nnormal = [1, 0, 0]\noffset = 0.2\n"));
+}
+
+TEST_P(Tapes, OtherMethodsRunThem) {
+    for (const char* method : {"marching", "amp-sign", "amp-taylor", "interval", "affine"}) {
+        expect_alike(*context,
+                     scene_text("max(max(abs(x), abs(y)), abs(z)) - 0.7",
+                                fmt::format("isolation.method = \"{}\"\n", method)));
+    }
+}
+
+TEST_P(Tapes, ProofsRunThem) {
+    const scene::Scene scene = scene_of(
+        scene_text("max(x^2 + y^2 + z^2 - 1, abs(x) - 0.5)", "isolation.certify = true\n"));
+    const RunEach run;
+    Renderer renderer(*context, scene, {48, 48, {synthesis::Channel::proof}});
+    const Picture picture = renderer.draw(scene::at(scene, scene.timeline.values(1)));
+    EXPECT_GT(proved_part(picture.proofs), 0.9) << summary(picture.proofs);
+}
+
+// 400 balls in rows, which take minutes to compile: each ball is met.
+TEST_P(Tapes, LongFormulasAreDrawnAtOnce) {
+    std::string formula = "min(";
+    for (int k = 0; k < 400; ++k) {
+        formula += fmt::format("{}(x - {:.2f})^2 + (y - {:.2f})^2 + z^2", k > 0 ? ", " : "",
+                               0.1 * (k % 20) - 0.95, 0.1 * (k / 20) - 0.95);
+    }
+    const std::string text = scene_text(formula + ") - 0.0016", "camera.position = [0, 0, 6]\n"
+                                                                "camera.up = [0, 1, 0]\n");
+    const scene::Scene scene = scene_of(text);
+    ASSERT_GT(synthesis::assemble(scene).size_compiled, synthesis::largest_shaders());
+    const Picture picture = draw(*context, scene);
+    const std::int64_t hits = count(picture, Verdict::hit);
+    EXPECT_EQ(count(picture, Verdict::hit) + count(picture, Verdict::miss), 48 * 48);
+    // Balls of radius 0.04 in squares of 0.1 cover half of a square that is 1.98 across, and that
+    // an eye at 6 with a field of view of 40 degrees sees some 22 pixels across.
+    EXPECT_NEAR(double(hits), 0.5 * 22 * 22, 60);
+}
+
+TEST_P(Tapes, FormulasOverElementsAreCompiled) {
+    const scene::Scene scene = scene_of("surface.formula = \"sum(b, exp(-(x - b_x)^2 - y^2 - "
+                                        "z^2)) - 0.5\"\nsurface.bounds.sphere = 2\n"
+                                        "[arrays.b]\ncount = 3\nb_x = \"i/4\"\n");
+    const RunEach run;
+    EXPECT_FALSE(synthesis::assemble(scene).tapes);
+    EXPECT_THROW(draw(*context, scene), std::length_error);
+}
+
+} // namespace
+} // namespace isomotion::render::tapes_test

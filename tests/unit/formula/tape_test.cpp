@@ -1,0 +1,203 @@
+// Tapes for boxes are the whole tape's function there.
+#include "formula/tape/tape_cells.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include <gtest/gtest.h>
+
+#include "formula/field.h"
+#include "formula/graph/operations.h"
+#include "testing.h"
+
+namespace isomotion::formula {
+namespace {
+
+// Runs a tape in doubles.
+std::vector<double> run(const Tape& tape, const std::array<double, 6>& inputs) {
+    using Do = Operations<double>;
+    std::vector<double> values;
+    for (const TapeStep& step : tape.steps) {
+        std::array<double, 4> of{};
+        for (std::size_t k = 0; k < step.arity; ++k)
+            of[k] = values[std::size_t(step.operands[k])];
+        const auto value = [&]() -> double {
+            switch (step.op) {
+            case Op::constant:
+                return mid(step.value);
+            case Op::input:
+                return inputs[std::size_t(step.index)];
+            case Op::negate:
+                return -of[0];
+#define CASE(name, ...)                                                                            \
+    case Op::name:                                                                                 \
+        return Do::name(of[0]);
+                ISOMOTION_FUNCTIONS(CASE)
+#undef CASE
+            case Op::add:
+                return of[0] + of[1];
+            case Op::subtract:
+                return of[0] - of[1];
+            case Op::multiply:
+                return of[0] * of[1];
+            case Op::divide:
+                return Do::divide(of[0], of[1]);
+            case Op::min:
+                return Do::min(of[0], of[1]);
+            case Op::max:
+                return Do::max(of[0], of[1]);
+            case Op::power:
+                return Do::power(of[0], of[1]);
+            case Op::select:
+                return Do::select(of[0], of[1], of[2], of[3]);
+            default:
+                ADD_FAILURE() << "no operation " << int(step.op);
+                return 0;
+            }
+        };
+        values.push_back(value());
+    }
+    std::vector<double> outputs;
+    for (const int output : tape.outputs) outputs.push_back(values[std::size_t(output)]);
+    return outputs;
+}
+
+Tape tape_of_field(const std::string& formula) {
+    const Field field = make_field(formula, {});
+    return tape_of(std::array{field.value, field.directional}, {}).value();
+}
+
+void expect_same(double a, double b, const std::string& where) {
+    if (std::isnan(a) || std::isnan(b)) {
+        EXPECT_EQ(std::isnan(a), std::isnan(b)) << where;
+    } else {
+        EXPECT_NEAR(a, b, 1e-9 * (1 + std::abs(a))) << where;
+    }
+}
+
+// Formulas whose choices are decided in some boxes and not in others.
+const std::vector<std::string> formulas_with_choices{
+    "min(x, y) - z",
+    "max(min(x^2 + y^2, z), abs(x - y) - 0.2)",
+    "abs(abs(x) - 0.3) + abs(y)*z",
+    "floor(3*x) + floor(2*y)*z",
+    "sign(x)*y + sign(z - 2)",
+    "x*max(0, y) + z*min(0, y - 3)",
+    "min(exp(x), log(2 + y)) - sqrt(max(0, z))",
+    "max(x, x) + min(y, 1)*max(z, -4) + 0*x",
+    "(abs(x) - x)*(y + 1) - z",
+    "min((x-0.5)^2+y^2+z^2, (x+0.5)^2+y^2+z^2, x^2+(y-1)^2+z^2) - 0.1",
+};
+
+TEST(Tape, WithinABoxIsTheWholeTapesFunction) {
+    constexpr int seed = 61;
+    Random random(seed);
+    std::size_t shorter = 0, all = 0;
+    for (const std::string& formula : formulas_with_choices) {
+        const Tape whole = tape_of_field(formula);
+        Specialiser specialise;
+        for (int k = 0; k < 200; ++k) {
+            std::array<Interval, 6> box;
+            for (std::size_t i = 0; i < 6; ++i) {
+                const double low = random.in(-2, 2);
+                box[i] = {low, low + std::exp2(random.in(-8, 1))};
+            }
+            Tape here;
+            specialise(whole, box, here);
+            ++all;
+            shorter += here.steps.size() < whole.steps.size();
+            for (int p = 0; p < 8; ++p) {
+                std::array<double, 6> at{};
+                for (std::size_t i = 0; i < 6; ++i)
+                    at[i] = random.in(box[i].lo, box[i].hi);
+                const auto a = run(whole, at), b = run(here, at);
+                ASSERT_EQ(a.size(), b.size());
+                for (std::size_t o = 0; o < a.size(); ++o)
+                    expect_same(a[o], b[o],
+                                formula + ", output " + std::to_string(o) + ", seed " +
+                                    std::to_string(seed));
+            }
+        }
+    }
+    EXPECT_GT(double(shorter), 0.5 * double(all));
+}
+
+TEST(Tape, KeepsOfManyBallsThoseThatAreNear) {
+    std::string formula = "min(";
+    for (int k = 0; k < 64; ++k)
+        formula += (k > 0 ? ", " : "") + std::string("(x - ") + std::to_string(k) +
+                   ")^2 + y^2 + z^2 - 0.1";
+    const Tape whole = tape_of_field(formula + ")");
+    Tape near;
+    Specialiser()(whole, std::array<Interval, 6>{Interval(30.1, 30.2), Interval(0, 0.1),
+                                                 Interval(0, 0.1), Interval(-1, 1),
+                                                 Interval(-1, 1), Interval(-1, 1)},
+                  near);
+    EXPECT_GT(whole.steps.size(), 64u * 4);
+    EXPECT_LT(near.steps.size(), 30u);
+}
+
+TEST(Tape, LoopsOverElementsHaveNone) {
+    const Field field = make_field("sum(blobs, (x - cx)^2) - 1", test_vocabulary());
+    EXPECT_FALSE(tape_of(std::array{field.value}, {}));
+}
+
+TEST(Tape, IsInWordsThatAnInterpreterReads) {
+    // Every instruction but a call is two words, in turns of eight; registers serve again.
+    const Tape tape = part_of(tape_of_field("min(x*y, z) + 0.1*x - 2*y"), 0, 1);
+    const TapeOperations operations(tape, TapeNumbers::floats);
+    const auto words = words_of(tape, operations, 3);
+    ASSERT_TRUE(words);
+    EXPECT_EQ(words->words.size() % (2 * tape_unrolled), 0u);
+    EXPECT_EQ(words->turns * 2 * tape_unrolled, int(words->words.size()));
+    EXPECT_LE(words->registers, 8);
+    EXPECT_FALSE(words_of(tape, operations, 3, 4));
+    const Tape calls = part_of(tape_of_field("exp(x) + sin(y)*log(z)"), 0, 1);
+    const TapeOperations of_calls(calls, TapeNumbers::floats);
+    EXPECT_TRUE(of_calls.has_calls());
+    EXPECT_TRUE(words_of(calls, of_calls, 3));
+}
+
+// Of the cells of a grid those hold no root whose tape says so, and each finds a tape.
+TEST(TapeCells, TellCellsWithoutRoots) {
+    std::string formula = "min(";
+    for (const char* ball : {"(x-0.5)^2 + y^2 + z^2", "(x+0.5)^2 + y^2 + z^2",
+                             "x^2 + (y-0.5)^2 + z^2", "x^2 + (y+0.5)^2 + z^2",
+                             "x^2 + y^2 + (z-0.5)^2", "x^2 + y^2 + (z+0.5)^2"})
+        formula += (formula.back() == '(' ? "" : ", ") + std::string(ball);
+    const Field field = make_field(formula + ") - 0.04", {});
+    const auto group = TapeFunctions::of(
+        {{field.value, TapeNumbers::floats}, {field.directional, TapeNumbers::floats, 1, 1}});
+    ASSERT_TRUE(group);
+    const std::array<Interval, 3> box{Interval(-1, 1), Interval(-1, 1), Interval(-1, 1)};
+    TapeLimits limits;
+    limits.threads = 2;
+    const TapeCells cells = tape_cells(std::array{*group}, {}, box, limits);
+    ASSERT_GE(cells.levels, 2);
+    const Tape whole = tape_of(std::array{field.value}, {}).value();
+    const int n = 1 << cells.levels;
+    const std::size_t all = std::size_t(n) * n * n;
+    const std::size_t first = std::size_t(cells.spans_of_a_function()) - all;
+    std::size_t free = 0;
+    for (std::size_t k = 0; k < all; ++k) {
+        const std::uint32_t notes = cells.spans[2 * (first + k) + 1];
+        EXPECT_LE(cells.spans[2 * (first + k)] + (notes & 0xffffffu), cells.words.size() / 2);
+        EXPECT_GT(notes & 0xffffffu, 0u);
+        if (!(notes & TapeCells::free)) continue;
+        ++free;
+        const std::array<int, 3> at{int(k) % n, int(k) / n % n, int(k) / (n * n)};
+        for (int corner = 0; corner < 8; ++corner) {
+            const auto side = [&](int i) {
+                return -1 + (at[std::size_t(i)] + (corner >> i & 1)) * 2.0 / n;
+            };
+            const double f = run(whole, {side(0), side(1), side(2)})[0];
+            ASSERT_EQ(f < 0, bool(notes & TapeCells::negative)) << k << ": " << f;
+        }
+    }
+    EXPECT_GT(free, all / 4);
+    EXPECT_LT(free, all);
+}
+
+} // namespace
+} // namespace isomotion::formula
