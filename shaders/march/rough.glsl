@@ -129,7 +129,7 @@ bool judge_by_intervals(inout RayState s, Ray ray, float t, vec2 f, float longes
     // Sums of zeros are rounded outwards.
     bool is_smooth = rough.z > -IM_LARGEST && rough.w < IM_LARGEST && s.refinements != BY_BOUNDS;
 #ifdef SIGNS_IN_FREE_CELLS
-    is_smooth = is_smooth && !tape_is_free; // a sign makes no cubic
+    is_smooth = is_smooth && !tape_is_free && abs(s.f_low.x) > 1.0e-30; // a sign makes no cubic
 #endif
     if (excludes_0(rough.xy) && !im_is_nan(f.x)) {
         vec3 behind = is_smooth ? vec3(s.low, s.f_low) : vec3(t, f);

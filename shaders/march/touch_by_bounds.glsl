@@ -19,7 +19,7 @@ bool may_be_0(bool asks, Ray ray, vec2 piece, float shortest) {
         if (free) begin += length;
         length = free ? 2.0 * length : max(0.5 * length, shortest);
         tries += 1;
-        found = found || tries == 64;
+        found = found || tries == MOST_TRIES;
         searches = !found && begin < piece.y;
     }
     return found;

@@ -178,9 +178,10 @@ void print_surface(const scene::Scene& scene, const synthesis::Passes& passes,
     print_result("compiles  {} passes, {:.0f} operations{}\n", passes.list.size(), size,
                  size > largest ? fmt::format("; more than {:.0f} are not compiled", largest) : "");
     if (passes.tapes)
-        print_result("runs      the formula instruction by instruction, as a driver would take long to "
-                     "compile its {:.0f} operations\n",
-                     passes.size_compiled);
+        print_result(
+            "runs      the formula instruction by instruction, as a driver would take long to "
+            "compile its {:.0f} operations\n",
+            passes.size_compiled);
     const scene::Sight sight = scene::sight(scene, now);
     if (scene.surface.jumps_are_walls) print_result("jumps     are walls\n");
     if (const auto& found = scene.surface.found_bounds) {

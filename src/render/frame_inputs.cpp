@@ -92,9 +92,9 @@ elements::ElementGrid grid_of(const elements::GridMaker& maker, const scene::Sce
 
 formula::TapeCells tapes_of(const scene::SceneAt& at, const InputLayout& layout) {
     std::array<formula::Interval, 3> box;
-    for (int k = 0; k < 3; ++k)
-        box[std::size_t(k)] = {at.bounds.min[k], at.bounds.max[k]};
-    return formula::tape_cells(layout.passes.tapes->groups(), at.bindings.parameters, box, layout.tape_limits);
+    for (int k = 0; k < 3; ++k) box[std::size_t(k)] = {at.bounds.min[k], at.bounds.max[k]};
+    return formula::tape_cells(layout.passes.tapes->groups(), at.bindings.parameters, box,
+                               layout.tape_limits);
 }
 
 FieldInputs field_inputs(const scene::Scene& scene, const scene::SceneAt& at,

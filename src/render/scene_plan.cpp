@@ -58,9 +58,9 @@ int colours_of_a_pixel(const scene::Scene& scene) {
 // What the loops of one shaded pixel add up to.
 double shade_iterations(const scene::Scene& scene, const synthesis::Passes& passes,
                         const std::vector<int>& counts) {
-    const double gradient =
-        passes.march_takes_gradient ? 0.0
-                                    : loops_of(scene, passes, FieldFunction::gradient, counts);
+    const double gradient = passes.march_takes_gradient
+                                ? 0.0
+                                : loops_of(scene, passes, FieldFunction::gradient, counts);
     const auto loops_of_paint = [&](const formula::Paint& paint) {
         const bool all = synthesis::sums_all_elements(paint, passes);
         return loops_of(paint.value, all ? capacities(passes) : counts);
@@ -111,9 +111,8 @@ void expect_shadeable(const scene::Scene& scene, const synthesis::Passes& passes
                         "{:.0f}: draw fewer elements or no paint",
                         sums, loop_iterations_per_pass));
     }
-    expect_drawable(
-        synthesis::cost(*scene.surface.field, passes, {FieldFunction::gradient}, counts)
-            .operations);
+    expect_drawable(synthesis::cost(*scene.surface.field, passes, {FieldFunction::gradient}, counts)
+                        .operations);
 }
 
 // What an evaluation goes through where elements are found by place, beside its lists, in
@@ -150,6 +149,11 @@ MarchPlan plan_of_march(const scene::Scene& scene, const synthesis::Passes& pass
     if (synthesis::has_lists(passes)) usual[0] = std::min(usual[0], usual_list);
     const auto by_place = synthesis::array_with_grid(passes);
     formula::Cost cost = synthesis::cost(*scene.surface.field, passes, passes.samples, usual);
+    // Where F may seem to touch 0, bounds run tapes for a third of a draw's loops.
+    const bool judges_touches =
+        passes.tapes &&
+        passes.samples == std::vector{FieldFunction::directional, FieldFunction::value_interval};
+    if (judges_touches) cost.iterations *= 1.5;
     expect_shadeable(scene, passes, by_place ? usual : counts);
     cost.iterations = std::max(cost.iterations, shade_iterations(scene, passes, usual));
     const MarchPlan fitting =
@@ -196,8 +200,8 @@ std::uint32_t most_at_a_place(const scene::Scene& scene, const synthesis::Passes
 // Where only lists tell how many elements an evaluation takes.
 float budget_of_elements(const scene::Scene& scene, const synthesis::Passes& passes) {
     const auto once = std::vector<int>(passes.arrays.size(), 1);
-    const double loops =
-        std::max(1.0, synthesis::cost(*scene.surface.field, passes, passes.samples, once).iterations);
+    const double loops = std::max(
+        1.0, synthesis::cost(*scene.surface.field, passes, passes.samples, once).iterations);
     return float((1 - part_of_others) * loop_iterations_per_pass / loops /
                  synthesis::parts_of_a_ray(scene));
 }

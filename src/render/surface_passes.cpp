@@ -136,7 +136,7 @@ InputLayout SurfacePasses::layout(int width, int height) const {
         threads_ > 0 ? threads_ : std::max(1, int(std::thread::hardware_concurrency()));
     all.tape_limits.threads = threads;
     all.tape_limits.are_run = tapes_are_run_;
-    all.tape_limits.instructions = std::min(all.tape_limits.instructions, most_listed_);
+    all.tape_limits.instructions = std::min(all.tape_limits.instructions, most_listed_ / 4);
     if (!grid_maker_) return all;
     all.grid = &*grid_maker_;
     all.most_elements_at_a_place = plan.most_elements_at_a_place;

@@ -49,7 +49,6 @@ std::vector<std::byte> parameter_block(const synthesis::Passes& passes, const sc
 void describe_tapes(const synthesis::Passes& passes, const formula::TapeCells& tapes,
                     std::vector<std::byte>& block);
 
-
 // The elements of array `index`, packed as the field reads them.
 std::vector<glm::vec4> array_texels(const scene::Scene& scene, const synthesis::Passes& passes,
                                     const scene::SceneAt& now, std::size_t index);

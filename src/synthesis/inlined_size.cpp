@@ -44,13 +44,14 @@ std::string_view function_begun_by(std::string_view line) {
 }
 
 // Numbers and parameters of a formula: Mesa keeps each in a register of its own, and its time for
-// registers grows with all of them. A polynomial of 1000 coefficients took twice as long as a sum of
-// as many operations without.
+// registers grows with all of them. A polynomial of 1000 coefficients took twice as long as a sum
+// of as many operations without.
 constexpr double operators_of_a_number = 1.5;
 
 bool begins_number(std::string_view line, std::size_t k) {
     const bool is_digit = std::isdigit(static_cast<unsigned char>(line[k])) != 0;
-    return is_digit && (k == 0 || (letters.find(line[k - 1]) == letters.npos && line[k - 1] != '.'));
+    return is_digit &&
+           (k == 0 || (letters.find(line[k - 1]) == letters.npos && line[k - 1] != '.'));
 }
 
 void add_body(Function& function, std::string_view line) {
@@ -148,7 +149,8 @@ void check_size(const Passes& passes) {
     if (size <= largest) return;
     throw std::length_error(fmt::format(
         "the scene's shaders have {:.0f} operations once every call is in its place, and a driver "
-        "compiles {:.0f} in some ten seconds, twice as many in four times as long; sum over an array "
+        "compiles {:.0f} in some ten seconds, twice as many in four times as long; sum over an "
+        "array "
         "what repeats itself, shorten what colours the surface, or set "
         "ISOMOTION_LARGEST_SHADERS={:.0f} and wait",
         std::ceil(size), largest, std::ceil(size)));

@@ -1,5 +1,6 @@
 #include "synthesis/march_text.h"
 
+#include <algorithm>
 #include <array>
 
 #include <fmt/format.h>
@@ -9,6 +10,7 @@
 #include "synthesis/cells_text.h"
 #include "synthesis/effect_text.h"
 #include "synthesis/glass_text.h"
+#include "synthesis/loop_limit.h"
 #include "synthesis/paths_text.h"
 #include "synthesis/section_text.h"
 #include "synthesis/surfaces_text.h"
@@ -36,6 +38,15 @@ bool judges_touches(const scene::Scene& scene) {
            scene.surface.smoothness.false_touches && !meets_rough_places(scene);
 }
 
+// The boxes in which bounds look whether F touches 0: as many as a third of a draw's loops may run
+// tapes for (render/scene_plan.cpp).
+int tries_of_a_touch(const Passes& passes) {
+    constexpr double most = 64, third = loop_iterations_per_pass / 3;
+    if (!passes.tapes) return int(most);
+    const double each = passes.tapes->cost({FieldFunction::value_interval}).iterations;
+    return int(std::clamp(third / each, 1.0, most));
+}
+
 // The paper's methods go all the way, as the paper has them.
 bool passes_free_cells(const scene::Scene& scene, const Passes& passes) {
     return (array_with_grid(passes) || (passes.tapes && passes.tapes->chooses())) &&
@@ -43,8 +54,10 @@ bool passes_free_cells(const scene::Scene& scene, const Passes& passes) {
 }
 
 void add_way_past(ShaderText& text, const Passes& passes) {
-    if (passes.tapes) add_way_past_free_tapes(text);
-    else add_way_past_free_cells(text);
+    if (passes.tapes)
+        add_way_past_free_tapes(text);
+    else
+        add_way_past_free_cells(text);
 }
 
 // What finds a root between two samples, or in a piece.
@@ -77,6 +90,7 @@ void add_turn(ShaderText& text, const scene::Scene& scene, const Passes& passes)
     if (is_rough) text.define("ROUGH", 1);
     if (passes.branches && method.steps == scene::Steps::cubics) text.define("BRANCHES", 1);
     if (judges_touches(scene)) {
+        text.define("MOST_TRIES", tries_of_a_touch(passes));
         text.file("march/touch_by_bounds.glsl");
         text.define("BOUNDED_TOUCHES", 1);
         text.define("SOLVES", 1);

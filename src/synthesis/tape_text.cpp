@@ -61,8 +61,8 @@ std::string glsl_of(FieldFunction function, const formula::TapeFunctions::Functi
     const int place = int(function);
     const bool decorated = function == FieldFunction::rough;
     if (decorated) text += "    tape_is_rough = false;\n";
-    const auto spans = fmt::format("int(tape_block[{}].{})", tape_vectors_of_place + place / 4,
-                                   "xyzw"[place % 4]);
+    const auto spans =
+        fmt::format("int(tape_block[{}].{})", tape_vectors_of_place + place / 4, "xyzw"[place % 4]);
     text += fmt::format("    run_tape_{}({});\n", place,
                         boxes ? fmt::format("tape_over({}, x, y, z)", spans)
                               : fmt::format("tape_at({}, p)", spans));
@@ -167,12 +167,16 @@ bool FieldTapes::chooses() const {
 }
 
 formula::Cost FieldTapes::cost(const std::vector<FieldFunction>& functions) const {
-    // Measured on llvmpipe: an instruction takes as long as some dozen operations that are compiled.
+    // Measured on llvmpipe: an instruction takes as long as some dozen operations that are
+    // compiled.
     constexpr double on_numbers = 12, on_intervals = 30;
     constexpr int usual = 16; // turns in a cell
     formula::Cost cost;
+    cost.iterations = 2; // on the way past free cells
     for (const FieldFunction of : functions) {
-        const int turns = (run_for(of) == of ? 1 : 3) * function(run_for(of)).turns;
+        // Breaks are looked for at up to three places of one step, gradients along three axes.
+        const int runs = of == FieldFunction::breaks || run_for(of) != of ? 3 : 1;
+        const int turns = runs * function(run_for(of)).turns;
         cost.iterations += turns;
         cost.operations += (is_on_intervals(of) ? on_intervals : on_numbers) *
                            formula::tape_unrolled * (chooses() ? std::min(turns, usual) : turns);
@@ -219,15 +223,16 @@ void add_tapes(ShaderText& text, const FieldTapes& tapes,
             text.generated("operations of tapes", tape.operations.glsl(prefix));
             set_name(text, "TAPE_RUN", "run_" + prefix);
             set_name(text, "TAPE_APPLY", prefix + "_apply");
-            if (tape.operations.has_calls()) set_name(text, "TAPE_CALL", prefix + "_call");
-            else text.generated("no calls", "#undef TAPE_CALL\n");
+            if (tape.operations.has_calls())
+                set_name(text, "TAPE_CALL", prefix + "_call");
+            else
+                text.generated("no calls", "#undef TAPE_CALL\n");
             text.file_again("tape/run.glsl");
             text.generated("runs tapes", glsl_of(function, tape));
         }
     }
     for (const FieldFunction function : wanted) {
-        if (!functions.contains(function))
-            text.generated("along each axis", along_axes(function));
+        if (!functions.contains(function)) text.generated("along each axis", along_axes(function));
     }
 }
 

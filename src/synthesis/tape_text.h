@@ -47,8 +47,7 @@ private:
 // of the enumeration where its spans begin.
 inline constexpr int tape_vectors_of_place = 2, tape_vectors = 5;
 
-void add_tapes(ShaderText& text, const FieldTapes& tapes,
-               const std::vector<FieldFunction>& wanted);
+void add_tapes(ShaderText& text, const FieldTapes& tapes, const std::vector<FieldFunction>& wanted);
 
 // Adds pass_free(), which moves rays past cells in which F keeps off 0.
 void add_way_past_free_tapes(ShaderText& text);

@@ -129,7 +129,7 @@ TEST_P(PaintedPictures, CurvaturesAreThoseInDouble) {
         double mean, gaussian; // ends of the range
     };
     std::string waves = "x^2 + y^2 + z^2 - 1";
-    for (int k = 1; k <= 130; ++k) waves += fmt::format(" + 1e-5*sin({}*x/50 + y)*z", k);
+    for (int k = 1; k <= 100; ++k) waves += fmt::format(" + 1e-5*sin({}*x/50 + y)*z", k);
     const auto of_formula = [](const std::string& formula) {
         return fmt::format("[surface]\nformula = '''{}'''\nbounds = {{ sphere = 2 }}\n", formula);
     };

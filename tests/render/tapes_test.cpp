@@ -40,7 +40,8 @@ int unlike(const Picture& a, const Picture& b) {
     const auto& other_depths = b.frame.find("Z")->samples;
     int count = 0;
     for (std::size_t k = 0; k < verdicts.size(); ++k) {
-        const bool far = std::isfinite(depths[k]) && !(std::abs(depths[k] - other_depths[k]) < 1e-3);
+        const bool far =
+            std::isfinite(depths[k]) && !(std::abs(depths[k] - other_depths[k]) < 1e-3);
         count += verdicts[k] != others[k] || far;
     }
     return count;
@@ -91,9 +92,8 @@ TEST_P(Tapes, ShadowsMirrorsAndSectionsFollow) {
 
 TEST_P(Tapes, OtherMethodsRunThem) {
     for (const char* method : {"marching", "amp-sign", "amp-taylor", "interval", "affine"}) {
-        expect_alike(*context,
-                     scene_text("max(max(abs(x), abs(y)), abs(z)) - 0.7",
-                                fmt::format("isolation.method = \"{}\"\n", method)));
+        expect_alike(*context, scene_text("max(max(abs(x), abs(y)), abs(z)) - 0.7",
+                                          fmt::format("isolation.method = \"{}\"\n", method)));
     }
 }
 

@@ -26,7 +26,8 @@ Interval value_of(const TapeStep& step, const std::array<Interval, 4>& of) {
     case Op::subtract:
         return Do::subtract(of[0], of[1]);
     case Op::multiply:
-        return step.operands[0] == step.operands[1] ? Do::square(of[0]) : Do::multiply(of[0], of[1]);
+        return step.operands[0] == step.operands[1] ? Do::square(of[0])
+                                                    : Do::multiply(of[0], of[1]);
     case Op::divide:
         return Do::divide(of[0], of[1]);
     case Op::min:
@@ -101,8 +102,7 @@ Tape with_slopes_next_to_values(const Tape& tape) {
             }
         }
     }
-    for (const int output : tape.outputs)
-        ordered.outputs.push_back(place[std::size_t(output)]);
+    for (const int output : tape.outputs) ordered.outputs.push_back(place[std::size_t(output)]);
     return ordered;
 }
 
@@ -121,6 +121,7 @@ public:
                       step.index,
                       step.second,
                       std::bit_cast<std::uint64_t>(step.value.lo),
+                      std::bit_cast<std::uint64_t>(step.value.hi),
                       step.operands};
         const auto [known, is_new] = known_.try_emplace(key, int(steps_.size()));
         if (is_new) steps_.push_back(step);
@@ -128,7 +129,7 @@ public:
     }
 
 private:
-    using Key = std::tuple<Op, bool, int, int, std::uint64_t, std::array<int, 4>>;
+    using Key = std::tuple<Op, bool, int, int, std::uint64_t, std::uint64_t, std::array<int, 4>>;
     std::vector<TapeStep>& steps_;
     std::map<Key, int> known_;
 };
@@ -138,8 +139,7 @@ bool is_narrow(Interval a) { return is_finite(a) && a.hi - a.lo <= 0x1p-40 * mag
 
 } // namespace
 
-void Specialiser::operator()(const Tape& tape, std::span<const Interval> inputs,
-                             Tape& shortened) {
+void Specialiser::operator()(const Tape& tape, std::span<const Interval> inputs, Tape& shortened) {
     made_.clear();
     values_.clear();
     stands_for_.clear();

@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <bit>
+#include <iterator>
 #include <limits>
 #include <random>
+#include <stdexcept>
 
 #include "base/workers.h"
 
@@ -44,8 +46,8 @@ struct Cell {
 
     std::size_t place() const {
         const auto n = std::size_t(1) << level;
-        return first_of(level) +
-               (std::size_t(at[2]) * n + std::size_t(at[1])) * n + std::size_t(at[0]);
+        return first_of(level) + (std::size_t(at[2]) * n + std::size_t(at[1])) * n +
+               std::size_t(at[0]);
     }
     Cell part(int k) const {
         return {level + 1, {2 * at[0] + (k & 1), 2 * at[1] + (k >> 1 & 1), 2 * at[2] + (k >> 2)}};
@@ -56,8 +58,8 @@ struct Cell {
 // cells.
 using Owner = std::size_t;
 
-// Where the instructions of a function's tape lie, how many steps the tape has, and whether it is of
-// a cell that holds no root.
+// Where the instructions of a function's tape lie, how many steps the tape has, and whether it is
+// of a cell that holds no root.
 struct Span {
     Owner owner = 0;
     std::uint32_t first = 0, count = 0;
@@ -85,6 +87,7 @@ public:
         , finest_(finest) {}
 
     std::vector<std::uint32_t> words;
+    std::size_t room = std::numeric_limits<std::size_t>::max(); // for words
 
     // Words of the tape where it is so much shorter than that of `longer`, else those.
     Spans place(const Tape& tape, const Spans& longer) {
@@ -95,7 +98,7 @@ public:
             if (double(tape.steps.size()) > shorter * double(longer[k].steps)) continue;
             const auto made = words_of(part_of(tape, of.first_output, of.outputs), of.operations,
                                        of.inputs, of.registers);
-            if (!made) continue;
+            if (!made || words.size() + made->words.size() > room) continue;
             spans[k] = {owner_, std::uint32_t(words.size() / 2),
                         std::uint32_t(made->words.size() / 2), tape.steps.size()};
             words.insert(words.end(), made->words.begin(), made->words.end());
@@ -116,9 +119,8 @@ public:
         // Points look for their tape in the finest cells alone.
         const bool serves = !functions_.on_points() || cell.level >= finest_ ||
                             here.tape.steps.size() <= short_enough;
-        here.spans = serves && !(is_free && functions_.on_points())
-                         ? place(here.tape, from.spans)
-                         : from.spans;
+        here.spans = serves && !(is_free && functions_.on_points()) ? place(here.tape, from.spans)
+                                                                    : from.spans;
         for (Span& span : here.spans) {
             if (is_free)
                 span.notes = TapeCells::free + (f.hi < 0 ? TapeCells::negative : 0) +
@@ -205,6 +207,10 @@ public:
         Maker maker(functions, are_run_, box, 0, levels_);
         constexpr std::size_t longest = std::numeric_limits<std::size_t>::max();
         whole.spans = maker.place(whole.tape, Spans(functions.size(), {0, 0, 0, longest}));
+        for (std::size_t k = 0; k < functions.size(); ++k) {
+            if (are_run_[k] && whole.spans[k].count == 0)
+                throw std::length_error("the formula keeps too many values at a time");
+        }
         spans_.resize(first_of(levels_ + 1));
         spans_[0] = whole.spans;
         std::vector<std::pair<Cell, Placed>> tops; // that threads go on from
@@ -212,7 +218,8 @@ public:
         if (levels_ >= 0) {
             maker.descend({}, whole, shared, [&](const Cell& cell, const Placed& placed) {
                 spans_[cell.place()] = placed.spans;
-                if (cell.level == shared) tops.emplace_back(cell, placed);
+                if (cell.level == shared && placed.spans[0].notes == 0)
+                    tops.emplace_back(cell, placed);
             });
         }
         words_.push_back(std::move(maker.words));
@@ -259,7 +266,8 @@ private:
         int level = -1;
         if (!functions_.chooses()) return level;
         double sum = 0;
-        for (const double work : Maker(functions_, are_run_, box, 0, most_levels).work_of_levels(whole)) {
+        for (const double work :
+             Maker(functions_, are_run_, box, 0, most_levels).work_of_levels(whole)) {
             sum += work;
             if (sum > limits.steps) break;
             ++level;
@@ -267,12 +275,13 @@ private:
         return level;
     }
 
-    void go_on(const std::vector<std::pair<Cell, Placed>>& tops,
-               const std::array<Interval, 3>& box, const TapeLimits& limits) {
+    void go_on(const std::vector<std::pair<Cell, Placed>>& tops, const std::array<Interval, 3>& box,
+               const TapeLimits& limits) {
         std::vector<std::vector<std::uint32_t>> words(tops.size());
         base::share({tops.size(), limits.threads}, [&] {
             return [&](std::size_t k) {
                 Maker maker(functions_, are_run_, box, words_.size() + k, levels_);
+                maker.room = 2 * limits.instructions / tops.size();
                 const auto& [top, placed] = tops[k];
                 for (int part = 0; part < 8; ++part) {
                     maker.descend(top.part(part), placed, levels_,
@@ -283,20 +292,7 @@ private:
                 words[k] = std::move(maker.words);
             };
         });
-        std::size_t room = 2 * limits.instructions;
-        for (std::size_t k = 0; k < tops.size(); ++k) {
-            if (words[k].size() > room) {
-                words[k].clear();
-                for (int part = 0; part < 8; ++part) forget(tops[k].first.part(part));
-            }
-            room -= words[k].size();
-            words_.push_back(std::move(words[k]));
-        }
-    }
-
-    void forget(const Cell& cell) {
-        spans_[cell.place()].clear();
-        for (int k = 0; cell.level < levels_ && k < 8; ++k) forget(cell.part(k));
+        std::ranges::move(words, std::back_inserter(words_));
     }
 
     // Cells that were not visited take the spans of those that hold them.
@@ -310,7 +306,7 @@ private:
     const TapeFunctions& functions_;
     std::vector<char> are_run_;
     int levels_ = -1;
-    std::vector<Spans> spans_; // of the whole space, then of the cells
+    std::vector<Spans> spans_;                      // of the whole space, then of the cells
     std::vector<std::vector<std::uint32_t>> words_; // by owner
 };
 
@@ -346,8 +342,11 @@ std::optional<TapeFunctions> TapeFunctions::of(const std::vector<TapeRequest>& r
         function.slopes = request.slopes;
         function.inputs = inputs_of(tape);
         const auto words = words_of(tape, function.operations, function.inputs);
-        if (!words) return {};
-        function.registers = int(std::bit_ceil(unsigned(words->registers)));
+        if (!words || !function.operations.have_codes()) return {};
+        // Parameters that no literal encloses are loaded.
+        constexpr unsigned loaded = 2;
+        function.registers = int(std::bit_ceil(unsigned(words->registers) + loaded));
+        if (function.registers > most_tape_registers) return {};
         function.turns = words->turns;
         made.functions_.push_back(std::move(function));
         output += outputs;

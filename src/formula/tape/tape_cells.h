@@ -1,9 +1,9 @@
 // The tapes of a field's functions for the whole space, and for cells of a box: 1, 8, 64, ... of
 // them.
 //
-// The tape of a cell for boxes holds a quarter of a cell around it, too. So a box half as large as a
-// cell lies in that of the cell in which its middle is, and finds its tape by one look. Points need
-// less.
+// The tape of a cell for boxes holds a quarter of a cell around it, too. So a box half as large as
+// a cell lies in that of the cell in which its middle is, and finds its tape by one look. Points
+// need less.
 #pragma once
 
 #include <array>
@@ -33,9 +33,9 @@ public:
         TapeOperations operations;
         int first_output = 0, outputs = 0;
         int values = 0, slopes = 0; // of these
-        int inputs = 0;    // 3, or 6 with a direction behind them
-        int registers = 0; // a power of two
-        int turns = 0;     // of the whole tape
+        int inputs = 0;             // 3, or 6 with a direction behind them
+        int registers = 0;          // a power of two
+        int turns = 0;              // of the whole tape
     };
     const Function& operator[](std::size_t k) const { return functions_[k]; }
     std::size_t size() const { return functions_.size(); }
@@ -56,12 +56,11 @@ struct TapeCells {
     std::array<double, 3> low{}, size{}; // of the box
     int levels = 0;                      // 2^levels cells along each side are the finest
     // First instruction and number of them, for each function in turn: of the whole space, of the
-    // one cell of level 0, the eight of level 1, x first, and so on. Where a cell for points holds no
-    // root, `free` is added to the number, `negative` if F is, and the level of the largest such
+    // one cell of level 0, the eight of level 1, x first, and so on. Where a cell for points holds
+    // no root, `free` is added to the number, `negative` if F is, and the level of the largest such
     // cell around it, times `level_unit`.
     std::vector<std::uint32_t> spans;
-    static constexpr std::uint32_t free = 1u << 31, negative = 1u << 30,
-                                   level_unit = 1u << 24;
+    static constexpr std::uint32_t free = 1u << 31, negative = 1u << 30, level_unit = 1u << 24;
     std::vector<std::uint32_t> words;
 
     int spans_of_a_function() const;

@@ -32,8 +32,7 @@ struct Literal {
 // What drivers may take for 0 is 0 for them all.
 float normal(double value) {
     using Floats = std::numeric_limits<float>;
-    const auto near =
-        float(std::clamp(value, double(Floats::lowest()), double(Floats::max())));
+    const auto near = float(std::clamp(value, double(Floats::lowest()), double(Floats::max())));
     return std::abs(near) < Floats::min() ? 0.0f : near;
 }
 
@@ -64,11 +63,10 @@ float beyond(double end) {
 // Where the operation on the intervals a and b may not be smooth, v being its values; empty if it
 // always is.
 std::string rough_where(Op op) {
-    const std::string off_0 = "!(a.x > 0.0 || a.y < 0.0)";
     switch (op) {
     case Op::abs:
     case Op::sqrt:
-        return off_0;
+        return "!(a.x > 0.0 || a.y < 0.0)";
     case Op::min:
     case Op::max:
         return "!(a.y < b.x || b.y < a.x)";
@@ -195,7 +193,8 @@ private:
         const TapeStep& step = tape_.steps[std::size_t(operand)];
         if (step.op != Op::constant) return {};
         if (on_intervals()) return enclosing(step.value);
-        return Literal{normal(mid(step.value))};
+        const bool is_nan = step.value == Interval::entire(); // as Interval takes it
+        return Literal{is_nan ? std::numeric_limits<float>::quiet_NaN() : normal(mid(step.value))};
     }
 
     void load(int operand, int into) {
@@ -234,8 +233,8 @@ private:
         const int a = in_register(step.operands[0], loaded);
         const int b = step.arity > 1 ? in_register(step.operands[1], loaded) : a;
         end_group();
-        begin_group({code | std::uint32_t(result) << 10 | std::uint32_t(a) << 21,
-                     std::uint32_t(b)});
+        begin_group(
+            {code | std::uint32_t(result) << 10 | std::uint32_t(a) << 21, std::uint32_t(b)});
     }
 
     void emit(std::uint32_t code, int result, int a, int b) {
@@ -319,6 +318,11 @@ std::optional<std::uint32_t> TapeOperations::code(const TapeStep& step) const {
     return std::uint32_t(found - all.begin()) + (calls ? 1 : first_code);
 }
 
+bool TapeOperations::have_codes() const {
+    constexpr std::size_t most = 1u << 7;
+    return first_code + operations_.size() <= most && 1 + calls_.size() <= most;
+}
+
 std::set<std::string> TapeOperations::kernels() const {
     std::set<std::string> all;
     for (const auto* list : {&operations_, &calls_}) {
@@ -334,11 +338,10 @@ std::set<std::string> TapeOperations::kernels() const {
 
 // The operation on inputs 0 to 3.
 Program TapeOperations::program(const Operation& of) const {
-    const std::uint8_t arity = of.op == Op::select ? 4
-                               : of.op == Op::negate || of.op == Op::chebyshev ||
-                                       unary_traits(of.op)
-                                   ? 1
-                                   : 2;
+    const std::uint8_t arity =
+        of.op == Op::select                                                    ? 4
+        : of.op == Op::negate || of.op == Op::chebyshev || unary_traits(of.op) ? 1
+                                                                               : 2;
     Program alone;
     Instruction operation{.op = of.op, .arity = arity, .index = of.index, .second = of.second};
     for (int k = 0; k < arity; ++k) {
@@ -355,7 +358,8 @@ Program TapeOperations::program(const Operation& of) const {
 std::string TapeOperations::functions(const std::string& name, const std::vector<Operation>& of,
                                       std::uint32_t first) const {
     const bool floats = numbers_ == TapeNumbers::floats;
-    const std::string type = floats ? "float" : "vec2", select = floats ? "IM_SELECT" : "IM_SELECT2";
+    const std::string type = floats ? "float" : "vec2",
+                      select = floats ? "IM_SELECT" : "IM_SELECT2";
     std::string text, chosen;
     for (std::size_t k = 0; k < of.size(); ++k) {
         const Program alone = program(of[k]);
@@ -369,6 +373,9 @@ std::string TapeOperations::functions(const std::string& name, const std::vector
         std::string result =
             fmt::format("{}({})", function, chooses ? "held_a, held_b, a, b" : "a, b");
         if (of[k].is_exact) result = made_exact(of[k].op, result);
+        // Negative bases have integer powers.
+        if (of[k].op == Op::power && !floats)
+            result = fmt::format("IM_SELECT2(b.x == b.y, im_pow(a, b.x), {})", result);
         chosen += fmt::format("    v = {}(op == {}u, {}, v);\n", select, first + k, result);
         const std::string rough =
             numbers_ == TapeNumbers::decorated ? rough_where(of[k].op) : std::string();
@@ -378,8 +385,7 @@ std::string TapeOperations::functions(const std::string& name, const std::vector
         }
     }
     const bool joins = !floats && first == first_code;
-    if (joins)
-        chosen += fmt::format("    v = IM_SELECT2(op == {}u, im_hull(a, b), v);\n", join);
+    if (joins) chosen += fmt::format("    v = IM_SELECT2(op == {}u, im_hull(a, b), v);\n", join);
     return fmt::format("{0}{1} {2}(uint op, {1} a, {1} b, {1} held_a, {1} held_b) {{\n"
                        "    {1} v = b;\n{3}    return v;\n}}\n",
                        text, type, name, chosen);

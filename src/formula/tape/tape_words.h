@@ -15,6 +15,7 @@
 #include <optional>
 #include <set>
 #include <string>
+#include <tuple>
 #include <vector>
 
 #include "formula/tape/tape.h"
@@ -40,6 +41,8 @@ public:
     std::string glsl(const std::string& prefix) const;
     std::set<std::string> kernels() const;
     bool has_calls() const { return !calls_.empty(); }
+    // Whether words have room for their codes.
+    bool have_codes() const;
 
     TapeNumbers numbers() const { return numbers_; }
     // Of instructions, or of calls.
@@ -55,7 +58,11 @@ private:
         int index = 0, second = 0;
         bool of_one = false; // the square
         bool is_exact = false;
-        auto operator<=>(const Operation&) const = default;
+        auto key() const { return std::tie(op, index, second, of_one, is_exact); }
+        friend bool operator<(const Operation& a, const Operation& b) { return a.key() < b.key(); }
+        friend bool operator==(const Operation& a, const Operation& b) {
+            return a.key() == b.key();
+        }
     };
     Operation operation(const TapeStep& step) const;
     std::string functions(const std::string& name, const std::vector<Operation>& of,

@@ -20,8 +20,7 @@ std::vector<double> run(const Tape& tape, const std::array<double, 6>& inputs) {
     std::vector<double> values;
     for (const TapeStep& step : tape.steps) {
         std::array<double, 4> of{};
-        for (std::size_t k = 0; k < step.arity; ++k)
-            of[k] = values[std::size_t(step.operands[k])];
+        for (std::size_t k = 0; k < step.arity; ++k) of[k] = values[std::size_t(step.operands[k])];
         const auto value = [&]() -> double {
             switch (step.op) {
             case Op::constant:
@@ -109,8 +108,7 @@ TEST(Tape, WithinABoxIsTheWholeTapesFunction) {
             shorter += here.steps.size() < whole.steps.size();
             for (int p = 0; p < 8; ++p) {
                 std::array<double, 6> at{};
-                for (std::size_t i = 0; i < 6; ++i)
-                    at[i] = random.in(box[i].lo, box[i].hi);
+                for (std::size_t i = 0; i < 6; ++i) at[i] = random.in(box[i].lo, box[i].hi);
                 const auto a = run(whole, at), b = run(here, at);
                 ASSERT_EQ(a.size(), b.size());
                 for (std::size_t o = 0; o < a.size(); ++o)
@@ -130,9 +128,9 @@ TEST(Tape, KeepsOfManyBallsThoseThatAreNear) {
                    ")^2 + y^2 + z^2 - 0.1";
     const Tape whole = tape_of_field(formula + ")");
     Tape near;
-    Specialiser()(whole, std::array<Interval, 6>{Interval(30.1, 30.2), Interval(0, 0.1),
-                                                 Interval(0, 0.1), Interval(-1, 1),
-                                                 Interval(-1, 1), Interval(-1, 1)},
+    Specialiser()(whole,
+                  std::array<Interval, 6>{Interval(30.1, 30.2), Interval(0, 0.1), Interval(0, 0.1),
+                                          Interval(-1, 1), Interval(-1, 1), Interval(-1, 1)},
                   near);
     EXPECT_GT(whole.steps.size(), 64u * 4);
     EXPECT_LT(near.steps.size(), 30u);
@@ -162,9 +160,9 @@ TEST(Tape, IsInWordsThatAnInterpreterReads) {
 // Of the cells of a grid those hold no root whose tape says so, and each finds a tape.
 TEST(TapeCells, TellCellsWithoutRoots) {
     std::string formula = "min(";
-    for (const char* ball : {"(x-0.5)^2 + y^2 + z^2", "(x+0.5)^2 + y^2 + z^2",
-                             "x^2 + (y-0.5)^2 + z^2", "x^2 + (y+0.5)^2 + z^2",
-                             "x^2 + y^2 + (z-0.5)^2", "x^2 + y^2 + (z+0.5)^2"})
+    for (const char* ball :
+         {"(x-0.5)^2 + y^2 + z^2", "(x+0.5)^2 + y^2 + z^2", "x^2 + (y-0.5)^2 + z^2",
+          "x^2 + (y+0.5)^2 + z^2", "x^2 + y^2 + (z-0.5)^2", "x^2 + y^2 + (z+0.5)^2"})
         formula += (formula.back() == '(' ? "" : ", ") + std::string(ball);
     const Field field = make_field(formula + ") - 0.04", {});
     const auto group = TapeFunctions::of(
