@@ -222,6 +222,8 @@ void add_tapes(ShaderText& text, const FieldTapes& tapes,
             const std::string prefix = "tape_" + number_of(function);
             text.generated("operations of tapes", tape.operations.glsl(prefix));
             set_name(text, "TAPE_RUN", "run_" + prefix);
+            set_name(text, "TAPE_OPERANDS", "operands_of_" + prefix);
+            set_name(text, "TAPE_STEP", "step_of_" + prefix);
             set_name(text, "TAPE_APPLY", prefix + "_apply");
             if (tape.operations.has_calls())
                 set_name(text, "TAPE_CALL", prefix + "_call");

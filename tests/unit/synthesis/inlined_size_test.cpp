@@ -48,8 +48,9 @@ double size_of(int terms) {
     std::string formula = "z";
     for (int k = 1; k <= terms; ++k) formula += fmt::format(" + sin({0}*x)*cos({0}.5*y)", k);
     use_shaders_of_source_tree();
-    return inlined_size(
-        assemble(scene_of("[surface]\nbounds = { sphere = 2 }\nformula = \"" + formula + "\"\n")));
+    const Passes passes =
+        assemble(scene_of("[surface]\nbounds = { sphere = 2 }\nformula = \"" + formula + "\"\n"));
+    return passes.tapes ? passes.size_compiled : inlined_size(passes);
 }
 
 TEST(InlinedSize, GrowsAsAFormulaDoes) {
