@@ -20,7 +20,7 @@ uvec2 tape_of_cell(int spans, float level, float around, vec3 low, vec3 high) {
     return IM_BUFFER_AT(tape_spans, spans + (within ? place : 0)).xy;
 }
 
-// Without what is told of a cell without roots.
+// Drops the notes on a cell without roots.
 uvec2 without_notes(uvec2 span) {
     return uvec2(span.x, span.y & 0xffffffu);
 }

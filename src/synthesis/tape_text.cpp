@@ -104,7 +104,8 @@ std::string along_axes(FieldFunction function) {
 }
 
 void set_name(ShaderText& text, const std::string& name, const std::string& value) {
-    text.generated("of the next tapes", fmt::format("#undef {0}\n#define {0} {1}\n", name, value));
+    text.generated("names for the next tapes",
+                   fmt::format("#undef {0}\n#define {0} {1}\n", name, value));
 }
 
 } // namespace
@@ -208,6 +209,7 @@ void add_tapes(ShaderText& text, const FieldTapes& tapes,
         for (const auto& kernel : interval_files(interval_kernels)) text.file(kernel);
     }
     text.file("tape/cells.glsl");
+    text.define("TAPE_OF_RAYS", spans_of(FieldFunction::directional));
     for (const bool boxes : {false, true}) {
         const int registers = boxes ? intervals : numbers;
         if (registers == 0) continue;
@@ -240,30 +242,15 @@ void add_tapes(ShaderText& text, const FieldTapes& tapes,
 
 void add_way_past_free_tapes(ShaderText& text) {
     text.define("PASSES_FREE", 1);
-    text.define("TAPE_OF_RAYS", spans_of(FieldFunction::directional));
     text.file("tape/free_cells.glsl");
     text.file("march/pass_free.glsl");
 }
 
 void add_signs_in_free_tapes(ShaderText& text, const FieldTapes& tapes) {
-    const auto& of = tapes.function(FieldFunction::directional);
     text.define("SIGNS_IN_FREE_CELLS", 1);
-    text.generated(
-        "runs tapes where there may be roots",
-        fmt::format("bool tape_is_free = false;\n"
-                    "vec2 field_directional_or_sign(vec3 p, vec3 d) {{\n"
-                    "    uvec2 span = tape_of_cell({}, TAPE_LEVELS, 0.0625, p, p);\n"
-                    "    tape_is_free = (span.y & 0x80000000u) != 0u;\n"
-                    "    vec2 f = vec2((span.y & 0x40000000u) != 0u ? -1.0e-30 : 1.0e-30, 0.0);\n"
-                    "    if (!tape_is_free) {{\n"
-                    "        vec3 at[2] = vec3[2](p, d);\n"
-                    "        for (int k = 0; k < {}; ++k) tape_numbers[k] = at[k / 3][k % 3];\n"
-                    "        run_tape_{}(without_notes(span));\n"
-                    "        f = vec2(tape_numbers[{}], tape_numbers[{}]);\n"
-                    "    }}\n"
-                    "    return f;\n}}\n",
-                    spans_of(FieldFunction::directional), of.inputs,
-                    int(FieldFunction::directional), of.inputs, of.inputs + 1));
+    text.define("TAPE_INPUTS", tapes.function(FieldFunction::directional).inputs);
+    text.define("RUN_TAPE_OF_RAYS", fmt::format("run_tape_{}", int(FieldFunction::directional)));
+    text.file("tape/signs.glsl");
 }
 
 } // namespace isomotion::synthesis

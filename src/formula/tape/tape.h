@@ -32,8 +32,8 @@ struct Tape {
     std::vector<int> outputs; // steps
 };
 
-// Of several programs, one after the other: their outputs are those of the first, then of the next.
-// What they share is done once. None for programs with loops over elements. The shape does not
+// Joins several programs: the outputs of the first come before those of the next. Steps that they
+// share are done once. None for programs with loops over elements. The shape does not
 // depend on the parameters' values.
 std::optional<Tape> tape_of(std::span<const Program> programs,
                             std::span<const Interval> parameters);

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <bit>
-#include <cassert>
 #include <cmath>
 #include <limits>
 
@@ -17,7 +16,7 @@ namespace {
 
 bool is_leaf(const TapeStep& step) { return step.op == Op::constant || step.op == Op::input; }
 
-// What takes a processor as long as dozens of products.
+// Whether the operation takes a processor as long as dozens of products.
 bool takes_long(Op op) {
     if (op == Op::power || op == Op::chebyshev) return true;
     return op != Op::sqrt && unary_traits(op) && unary_traits(op)->shader == Shader::kernel;
@@ -29,7 +28,7 @@ struct Literal {
     bool reaches_next = false; // stands for all up to the next float
 };
 
-// What drivers may take for 0 is 0 for them all.
+// Numbers that drivers may take for 0 are 0 for all of them.
 float normal(double value) {
     using Floats = std::numeric_limits<float>;
     const auto near = float(std::clamp(value, double(Floats::lowest()), double(Floats::max())));
@@ -94,7 +93,7 @@ std::string rough_where(Op op) {
     }
 }
 
-// What exact.glsl makes of the operation's result v.
+// The operation's result v, as exact.glsl keeps it.
 std::string made_exact(Op op, const std::string& v) {
     switch (op) {
     case Op::add:
@@ -147,7 +146,7 @@ private:
             return;
         }
         std::vector<int> loaded; // registers of constants, until the end of this step
-        const bool is_call = TapeOperations::is_call(step, operations_.numbers());
+        const bool is_call = TapeOperations::is_call(step);
         const std::uint32_t code = operations_.code(step).value();
         const int result = take();
         if (step.op == Op::select) {
@@ -287,7 +286,7 @@ TapeOperations::TapeOperations(const Tape& whole, TapeNumbers numbers)
     std::set<Operation> operations, calls;
     for (const TapeStep& step : whole.steps) {
         if (is_leaf(step)) continue;
-        (is_call(step, numbers) ? calls : operations).insert(operation(step));
+        (is_call(step) ? calls : operations).insert(operation(step));
         // What these come to within a box.
         if (step.op == Op::abs || step.op == Op::multiply || step.op == Op::subtract)
             operations.insert({.op = Op::negate});
@@ -308,10 +307,10 @@ TapeOperations::Operation TapeOperations::operation(const TapeStep& step) const 
             step.is_exact && numbers_ != TapeNumbers::floats};
 }
 
-bool TapeOperations::is_call(const TapeStep& step, TapeNumbers) { return takes_long(step.op); }
+bool TapeOperations::is_call(const TapeStep& step) { return takes_long(step.op); }
 
 std::optional<std::uint32_t> TapeOperations::code(const TapeStep& step) const {
-    const bool calls = is_call(step, numbers_);
+    const bool calls = is_call(step);
     const std::vector<Operation>& all = calls ? calls_ : operations_;
     const auto found = std::lower_bound(all.begin(), all.end(), operation(step));
     if (found == all.end() || *found != operation(step)) return {};

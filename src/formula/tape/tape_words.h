@@ -45,9 +45,9 @@ public:
     bool have_codes() const;
 
     TapeNumbers numbers() const { return numbers_; }
-    // Of instructions, or of calls.
+    // The number of the operation, which counts calls apart from others.
     std::optional<std::uint32_t> code(const TapeStep& step) const;
-    static bool is_call(const TapeStep& step, TapeNumbers numbers);
+    static bool is_call(const TapeStep& step);
 
     // load: b; hold: a, and keeps both for the selection that follows; join: the hull of both.
     static constexpr std::uint32_t load = 0, hold = 1, join = 2, first_code = 3;

@@ -428,6 +428,7 @@ TEST_F(Assemble, EveryShaderFileIsUsedBySomeScene) {
         texts.push_back(surface_text("x", bounds, "hermite"));
         texts.push_back(surface_text("x", bounds, "hermite") + every_effect.back());
         texts.push_back(surface_text("abs(x)", bounds, "hermite"));            // with kinks alone
+        texts.push_back(surface_text(many_balls(), bounds, "hermite"));        // by tapes
         texts.push_back(surface_text("(x^2 - y)^2 - z^3", bounds, "hermite")); // squares
         texts.push_back(surface_text("x - floor(floor(y)/2)", bounds, "hermite"));
         texts.push_back(surface_text("x^2 - y", bounds, "hermite") +
@@ -469,12 +470,6 @@ TEST_F(Assemble, EveryShaderFileIsUsedBySomeScene) {
         assemble(scene_of(surface_text(long_formula()) + "[material]\nreflection = 'sky'\n"
                                                          "[environment]\nmap = 'studio.exr'\n"));
     add(of_long_mirror);
-    std::string balls = "min(x^2 + y^2 + z^2 - 1";
-    for (int k = 0; k < 200; ++k) balls += fmt::format(", (x - {}/7)^2 + y^2 + z^2 - 1", k);
-    const Passes of_tapes =
-        assemble(scene_of(surface_text(balls + ")", every_bounds[0], "hermite")));
-    ASSERT_TRUE(of_tapes.tapes);
-    add(of_tapes);
     // probe/ asks about a driver, whatever the scene: render::arithmetic.
     std::set<std::string> of_scenes = shader_files();
     std::erase_if(of_scenes, [](const std::string& name) { return name.starts_with("probe/"); });

@@ -123,6 +123,13 @@ inline std::string long_formula() {
     return text;
 }
 
+// A formula with kinks that is run from tapes.
+inline std::string many_balls() {
+    std::string text = "min(x^2 + y^2 + z^2 - 1";
+    for (int k = 0; k < 200; ++k) text += fmt::format(", (x - {}/7)^2 + y^2 + z^2 - 1", k);
+    return text + ")";
+}
+
 // Gaussian balls.
 inline std::string
 blobs_text(int count, const std::string& bounds = every_bounds[0],
