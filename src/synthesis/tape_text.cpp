@@ -120,7 +120,7 @@ std::shared_ptr<const FieldTapes> FieldTapes::of(const formula::Field& field) {
     // Slopes last: values that these need stay next to them (formula/tape/tape.cpp).
     const std::vector<std::vector<std::pair<FieldFunction, formula::TapeRequest>>> groups{
         {{value, {field.value, floats}},
-         {gradient, {field.gradient, floats, 0}},
+         {gradient, {field.gradient, floats, 0, 3}},
          {directional, {field.directional, floats, 1, 1}}},
         {{value_interval, {over_boxes.value, intervals}},
          {rough, {enclosure_of_rough, decorated}},

@@ -43,9 +43,11 @@ Interval value_of(const TapeStep& step, const std::array<Interval, 4>& of) {
     }
 }
 
-// `used` becomes the steps that outputs need, in their order. `place` is overwritten.
+// `used` becomes the steps that outputs need, in their order. stand_in(k) is the step that serves
+// for step k: itself or an earlier one. `place` is overwritten.
+template<class StandIn>
 void keep_needed(std::span<const TapeStep> steps, std::span<const int> outputs,
-                 std::vector<int>& place, Tape& used) {
+                 const StandIn& stand_in, std::vector<int>& place, Tape& used) {
     place.assign(steps.size(), -1);
     std::size_t count = 0;
     const auto need = [&](int step) {
@@ -55,22 +57,64 @@ void keep_needed(std::span<const TapeStep> steps, std::span<const int> outputs,
     std::ranges::for_each(outputs, need);
     for (std::size_t k = steps.size(); k-- > 0;) {
         if (place[k] < 0) continue;
-        std::for_each_n(steps[k].operands.begin(), steps[k].arity, need);
+        if (const int other = stand_in(int(k)); other != int(k))
+            need(other);
+        else
+            std::for_each_n(steps[k].operands.begin(), steps[k].arity, need);
     }
     used.steps.clear();
     used.outputs.clear();
     used.steps.reserve(count);
     for (std::size_t k = 0; k < steps.size(); ++k) {
         if (place[k] < 0) continue;
+        if (const int other = stand_in(int(k)); other != int(k)) {
+            place[k] = place[std::size_t(other)];
+            continue;
+        }
         place[k] = int(used.steps.size());
         TapeStep& step = used.steps.emplace_back(steps[k]);
         for (std::size_t o = 0; o < step.arity; ++o)
             step.operands[o] = place[std::size_t(step.operands[o])];
+        if (step.follows >= 0) step.follows = place[std::size_t(step.follows)];
     }
     for (const int output : outputs) used.outputs.push_back(place[std::size_t(output)]);
 }
 
-// The same steps in an order that leaves few values to be kept: each value's slope next to it.
+bool is_extreme(const TapeStep& step) { return step.op == Op::min || step.op == Op::max; }
+
+// Tells selects which min or max they are the slope of. Only slopes of F may need such a select,
+// and one min or max alone may compare what it compares.
+void link_slopes(Tape& tape, const std::vector<bool>& is_slope) {
+    std::vector<bool> for_values(tape.steps.size(), false);
+    for (std::size_t o = 0; o < tape.outputs.size(); ++o) {
+        if (!is_slope[o]) for_values[std::size_t(tape.outputs[o])] = true;
+    }
+    for (std::size_t k = tape.steps.size(); k-- > 0;) {
+        const TapeStep& step = tape.steps[k];
+        for (std::size_t o = 0; for_values[k] && o < step.arity; ++o)
+            for_values[std::size_t(step.operands[o])] = true;
+    }
+    constexpr int several = -1;
+    std::map<std::pair<int, int>, int> comparing; // the step that compares two others for a value
+    for (std::size_t k = 0; k < tape.steps.size(); ++k) {
+        const TapeStep& step = tape.steps[k];
+        const bool compares = is_extreme(step) || (step.op == Op::select && for_values[k]);
+        if (!compares) continue;
+        const auto [known, is_new] =
+            comparing.try_emplace({step.operands[0], step.operands[1]}, int(k));
+        if (!is_new) known->second = several;
+    }
+    for (std::size_t k = 0; k < tape.steps.size(); ++k) {
+        TapeStep& step = tape.steps[k];
+        if (step.op != Op::select || for_values[k]) continue;
+        const auto known = comparing.find({step.operands[0], step.operands[1]});
+        if (known == comparing.end() || known->second == several) continue;
+        if (is_extreme(tape.steps[std::size_t(known->second)])) step.follows = known->second;
+    }
+}
+
+// The same steps in an order that leaves few values to be kept: each value's slope next to it. What
+// a select follows comes before it.
 Tape with_slopes_next_to_values(const Tape& tape) {
     constexpr std::array<std::size_t, 4> of_select{2, 0, 3, 1}; // a slope asks for its values
     std::vector<int> place(tape.steps.size(), -1);
@@ -93,11 +137,14 @@ Tape with_slopes_next_to_values(const Tape& tape) {
                 const std::size_t k = step.op == Op::select ? of_select[next] : next;
                 ++next;
                 open.push_back({step.operands[k], 0});
+            } else if (step.follows >= 0 && place[std::size_t(step.follows)] < 0) {
+                open.push_back({step.follows, 0});
             } else {
                 place[std::size_t(at)] = int(ordered.steps.size());
                 TapeStep& copy = ordered.steps.emplace_back(step);
                 for (std::size_t o = 0; o < step.arity; ++o)
                     copy.operands[o] = place[std::size_t(step.operands[o])];
+                if (step.follows >= 0) copy.follows = place[std::size_t(step.follows)];
                 open.pop_back();
             }
         }
@@ -146,7 +193,9 @@ void Specialiser::operator()(const Tape& tape, std::span<const Interval> inputs,
     outputs_.clear();
     for (const TapeStep& step : tape.steps) stands_for_.push_back(next(step, inputs));
     for (const int output : tape.outputs) outputs_.push_back(stands_for_[std::size_t(output)]);
-    keep_needed(made_, outputs_, place_, shortened);
+    find_wanted();
+    const auto stand_in = [&](int step) { return this->stand_in(step); };
+    keep_needed(made_, outputs_, stand_in, place_, shortened);
 }
 
 int Specialiser::next(TapeStep step, std::span<const Interval> inputs) {
@@ -160,6 +209,10 @@ int Specialiser::next(TapeStep step, std::span<const Interval> inputs) {
         all_constant &= is_constant(step.operands[k]);
     }
     if (const auto simpler = chosen(step, of)) return *simpler;
+    if (step.follows >= 0) {
+        step.follows = stands_for_[std::size_t(step.follows)];
+        if (!is_extreme(made_[std::size_t(step.follows)])) step.follows = -1;
+    }
     const Interval value = value_of(step, of);
     const bool is_known = is_point(value) || (all_constant && is_narrow(value));
     return is_known ? constant(value) : add(step, value);
@@ -178,12 +231,12 @@ std::optional<int> Specialiser::chosen(const TapeStep& step, const std::array<In
         const bool least = step.op == Op::min;
         if (a == b) return a;
         if (of[0].hi < of[1].lo) return least ? a : b;
-        if (of[1].hi < of[0].lo) return least ? b : a;
+        if (of[0].lo >= of[1].hi) return least ? b : a;
         break;
     }
     case Op::select:
         if (of[0].hi < of[1].lo) return step.operands[2];
-        if (of[0].lo >= of[1].hi) return step.operands[3];
+        if (of[0].lo >= of[1].hi || a == b) return step.operands[3];
         if (step.operands[2] == step.operands[3]) return step.operands[2];
         break;
     case Op::add:
@@ -227,11 +280,93 @@ int Specialiser::add(const TapeStep& step, Interval value) {
     return int(made_.size()) - 1;
 }
 
-std::optional<Tape> tape_of(std::span<const Program> programs,
-                            std::span<const Interval> parameters) {
+// Values of a step beyond its wanted range all come to the same outputs. What wants a step comes
+// behind it.
+void Specialiser::find_wanted() {
+    using Do = Operations<Interval>;
+    constexpr Interval none{infinity, -infinity};
+    wanted_.assign(made_.size(), none);
+    for (const int output : outputs_) want(output, Interval::entire());
+    for (std::size_t k = made_.size(); k-- > 0;) {
+        const Interval range = wanted_[k], value = values_[k];
+        if (range.lo > range.hi) continue;
+        const TapeStep& step = made_[k];
+        const int a = step.operands[0], b = step.operands[1];
+        const auto want_both = [&](Interval of) {
+            want(a, of);
+            want(b, of);
+        };
+        switch (step.op) {
+        case Op::min:
+            want_both({range.lo, std::min(range.hi, value.hi)});
+            continue;
+        case Op::max:
+            want_both({std::max(range.lo, value.lo), range.hi});
+            continue;
+        case Op::negate:
+            want(a, -range);
+            continue;
+        case Op::abs:
+            want(a, {-range.hi, range.hi});
+            continue;
+        case Op::add:
+            if (is_constant(b)) {
+                want(a, Do::subtract(range, values_[std::size_t(b)]));
+                continue;
+            }
+            break;
+        case Op::subtract:
+            if (is_constant(b)) {
+                want(a, Do::add(range, values_[std::size_t(b)]));
+                continue;
+            }
+            break;
+        case Op::select:
+            if (step.follows < 0) break;
+            want(step.operands[2], Interval::entire());
+            want(step.operands[3], Interval::entire());
+            continue;
+        default:
+            break;
+        }
+        for (std::size_t o = 0; o < step.arity; ++o) want(step.operands[o], Interval::entire());
+    }
+}
+
+void Specialiser::want(int step, Interval range) {
+    Interval& all = wanted_[std::size_t(step)];
+    all = {std::min(all.lo, range.lo), std::max(all.hi, range.hi)};
+}
+
+// The step that serves for a min, a max or a slope of these whose one side has no wanted value, or
+// the step itself.
+int Specialiser::stand_in(int step) const {
+    const TapeStep& at = made_[std::size_t(step)];
+    const bool chooses = is_extreme(at) || (at.op == Op::select && at.follows >= 0);
+    if (!chooses) return step;
+    const int extreme = at.op == Op::select ? at.follows : step;
+    const bool least = made_[std::size_t(extreme)].op == Op::min;
+    const Interval wanted = wanted_[std::size_t(extreme)];
+    const auto is_unwanted = [&](int side) {
+        const Interval value = values_[std::size_t(at.operands[std::size_t(side)])];
+        return least ? value.lo > std::min(wanted.hi, values_[std::size_t(extreme)].hi)
+                     : value.hi < std::max(wanted.lo, values_[std::size_t(extreme)].lo);
+    };
+    if (wanted.lo > wanted.hi) return step;
+    const auto taken = [&](int side) {
+        if (at.op != Op::select) return at.operands[std::size_t(side)];
+        return at.operands[least == (side == 0) ? 2 : 3];
+    };
+    if (is_unwanted(0)) return taken(1);
+    if (is_unwanted(1)) return taken(0);
+    return step;
+}
+
+std::optional<Tape> tape_of(std::span<const TapeSource> sources) {
     Tape tape;
     Joiner joiner(tape.steps);
-    for (const Program& program : programs) {
+    std::vector<bool> is_slope; // of the outputs
+    for (const auto& [program, values, slopes] : sources) {
         std::vector<int> place(std::size_t(program.registers), -1);
         const std::vector<bool> exact = exact_results(program);
         for (const Instruction& now : program.instructions) {
@@ -248,20 +383,26 @@ std::optional<Tape> tape_of(std::span<const Program> programs,
         }
         for (const Register output : program.outputs)
             tape.outputs.push_back(place[std::size_t(output)]);
+        for (int o = 0; o < int(program.outputs.size()); ++o)
+            is_slope.push_back(o >= values && o < values + slopes);
     }
-    // Parameters of one value are still two, so that the shape does not depend on values.
-    for (TapeStep& step : tape.steps) {
-        if (step.op != Op::parameter) continue;
-        step = {.value = parameters[std::size_t(step.index)]};
-    }
+    link_slopes(tape, is_slope);
     return with_slopes_next_to_values(tape);
+}
+
+Tape with_parameters(Tape tape, std::span<const Interval> parameters) {
+    for (TapeStep& step : tape.steps) {
+        if (step.op == Op::parameter) step = {.value = parameters[std::size_t(step.index)]};
+    }
+    return tape;
 }
 
 Tape part_of(const Tape& tape, int first, int count) {
     std::vector<int> place;
     Tape part;
+    const auto itself = [](int step) { return step; };
     keep_needed(tape.steps, std::span(tape.outputs).subspan(std::size_t(first), std::size_t(count)),
-                place, part);
+                itself, place, part);
     return part;
 }
 

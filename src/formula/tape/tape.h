@@ -5,6 +5,11 @@
 // interval decides which side of min(a, b) can matter in a box, and what feeds the other side alone
 // is dropped. Here all that jumps or chooses is decided so: min, max, abs, select, sign and floor.
 // What comes out constant goes on being simplified.
+//
+// Two sides that overlap can both be beaten by a third. So values that are wanted are known too: of
+// min(a, b), an `a` above the least upper bound of all that is compared with it is never taken.
+// Alternatives of a minimum of thousands then leave in one pass, in whatever order they are
+// written.
 #pragma once
 
 #include <array>
@@ -18,11 +23,12 @@
 namespace isomotion::formula {
 
 struct TapeStep {
-    Op op = Op::constant; // constant, input or an operation; parameters are constants
+    Op op = Op::constant; // constant, input, parameter or an operation
     std::uint8_t arity = 0;
     bool is_exact = false;         // on intervals, where it can be: glsl/exact_results.h
-    int index = 0;                 // of an input; the degree of chebyshev
+    int index = 0;                 // of an input or parameter; the degree of chebyshev
     int second = 0;                // the derivative of chebyshev
+    int follows = -1;              // the min or max that a select is the slope of, an earlier step
     std::array<int, 4> operands{}; // earlier steps
     Interval value{};              // holds a constant
 };
@@ -32,11 +38,18 @@ struct Tape {
     std::vector<int> outputs; // steps
 };
 
+// A program, and which of its outputs are slopes of F: `slopes` behind the first `values`.
+struct TapeSource {
+    const Program& program;
+    int values = 1, slopes = 0;
+};
+
 // Joins several programs: the outputs of the first come before those of the next. Steps that they
-// share are done once. None for programs with loops over elements. The shape does not
-// depend on the parameters' values.
-std::optional<Tape> tape_of(std::span<const Program> programs,
-                            std::span<const Interval> parameters);
+// share are done once. None for programs with loops over elements. Parameters are steps yet.
+std::optional<Tape> tape_of(std::span<const TapeSource> sources);
+
+// The tape with parameters for constants.
+Tape with_parameters(Tape tape, std::span<const Interval> parameters);
 
 // The steps that outputs `first` to `first + count - 1` need, in their order.
 Tape part_of(const Tape& tape, int first, int count);
@@ -60,9 +73,13 @@ private:
     bool is_constant(int step) const;
     int constant(Interval value);
     int add(const TapeStep& step, Interval value);
+    void find_wanted();
+    void want(int step, Interval range);
+    int stand_in(int step) const;
 
     std::vector<TapeStep> made_;
     std::vector<Interval> values_; // of the steps made
+    std::vector<Interval> wanted_; // values of these that make a difference to an output
     std::vector<int> stands_for_;  // the step made for each of the tape's
     std::vector<int> outputs_, place_;
 };

@@ -322,21 +322,22 @@ int inputs_of(const Tape& tape) {
 
 std::optional<TapeFunctions> TapeFunctions::of(const std::vector<TapeRequest>& requests) {
     TapeFunctions made;
+    std::vector<TapeSource> sources;
+    for (const TapeRequest& request : requests)
+        sources.push_back({request.program, request.values, request.slopes});
+    auto joined = tape_of(sources);
+    if (!joined) return {};
+    made.joined_ = std::move(*joined);
     int parameters = 0;
-    for (const TapeRequest& request : requests) {
-        for (const Instruction& now : request.program.instructions) {
-            if (now.op == Op::parameter) parameters = std::max(parameters, now.index + 1);
-        }
-        made.programs_.push_back(request.program);
+    for (const TapeStep& step : made.joined_.steps) {
+        if (step.op == Op::parameter) parameters = std::max(parameters, step.index + 1);
     }
     // Any values do: the tape's shape does not depend on them.
-    const std::vector<Interval> any(std::size_t(parameters), Interval(0.3));
-    const auto whole = tape_of(made.programs_, any);
-    if (!whole) return {};
+    const Tape whole = made.whole(std::vector<float>(std::size_t(parameters), 0.3f));
     int output = 0;
     for (const TapeRequest& request : requests) {
         const int outputs = int(request.program.outputs.size());
-        const Tape tape = part_of(*whole, output, outputs);
+        const Tape tape = part_of(whole, output, outputs);
         Function function{TapeOperations(tape, request.numbers), output, outputs};
         function.values = request.values;
         function.slopes = request.slopes;
@@ -351,13 +352,12 @@ std::optional<TapeFunctions> TapeFunctions::of(const std::vector<TapeRequest>& r
         made.functions_.push_back(std::move(function));
         output += outputs;
     }
-    made.chooses_ = std::ranges::any_of(whole->steps, decides);
+    made.chooses_ = std::ranges::any_of(whole.steps, decides);
     return made;
 }
 
 Tape TapeFunctions::whole(std::span<const float> parameters) const {
-    const std::vector<Interval> values(parameters.begin(), parameters.end());
-    return tape_of(programs_, values).value();
+    return with_parameters(joined_, std::vector<Interval>(parameters.begin(), parameters.end()));
 }
 
 int TapeCells::spans_of_a_function() const { return int(first_of(levels + 1)); }

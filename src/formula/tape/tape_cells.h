@@ -47,7 +47,7 @@ public:
     Tape whole(std::span<const float> parameters) const;
 
 private:
-    std::vector<Program> programs_;
+    Tape joined_;
     std::vector<Function> functions_;
     bool chooses_ = false;
 };

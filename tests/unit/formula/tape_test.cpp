@@ -64,7 +64,7 @@ std::vector<double> run(const Tape& tape, const std::array<double, 6>& inputs) {
 
 Tape tape_of_field(const std::string& formula) {
     const Field field = make_field(formula, {});
-    return tape_of(std::array{field.value, field.directional}, {}).value();
+    return tape_of(std::array<TapeSource, 2>{{{field.value}, {field.directional, 1, 1}}}).value();
 }
 
 void expect_same(double a, double b, const std::string& where) {
@@ -87,38 +87,81 @@ const std::vector<std::string> formulas_with_choices{
     "max(x, x) + min(y, 1)*max(z, -4) + 0*x",
     "(abs(x) - x)*(y + 1) - z",
     "min((x-0.5)^2+y^2+z^2, (x+0.5)^2+y^2+z^2, x^2+(y-1)^2+z^2) - 0.1",
+    // sides that a third one beats, below what hands them on
+    "min(min(x + 2, y + 1), min(z, 3*x))",
+    "max(0.5 - min(x, y, z, x + y, y + z), -max(x*y, y*z, z*x, x - 1) - 0.1)",
+    "abs(min(x, y, z, x + 1) - 0.5) - 0.2",
+    // compared twice, or for a value of another kind
+    "max(x*y, z) - min(x*y, z)",
+    "min(x, y)*min(x, y, z) - max(x, 0.5)",
 };
+
+// A box in another, or anywhere.
+std::array<Interval, 6> random_box(Random& random, const std::array<Interval, 6>& around) {
+    std::array<Interval, 6> box;
+    for (std::size_t i = 0; i < 6; ++i) {
+        const double size = (around[i].hi - around[i].lo) * std::exp2(random.in(-8, -1));
+        const double low = random.in(around[i].lo, around[i].hi - size);
+        box[i] = {low, low + size};
+    }
+    return box;
+}
 
 TEST(Tape, WithinABoxIsTheWholeTapesFunction) {
     constexpr int seed = 61;
     Random random(seed);
+    std::array<Interval, 6> everywhere;
+    everywhere.fill({-4, 4});
     std::size_t shorter = 0, all = 0;
     for (const std::string& formula : formulas_with_choices) {
         const Tape whole = tape_of_field(formula);
         Specialiser specialise;
         for (int k = 0; k < 200; ++k) {
-            std::array<Interval, 6> box;
-            for (std::size_t i = 0; i < 6; ++i) {
-                const double low = random.in(-2, 2);
-                box[i] = {low, low + std::exp2(random.in(-8, 1))};
-            }
-            Tape here;
+            // shortened twice, as for cells in cells
+            const auto box = random_box(random, everywhere), part = random_box(random, box);
+            Tape here, within;
             specialise(whole, box, here);
+            specialise(here, part, within);
             ++all;
             shorter += here.steps.size() < whole.steps.size();
+            EXPECT_LE(within.steps.size(), here.steps.size() + 1) << formula;
             for (int p = 0; p < 8; ++p) {
                 std::array<double, 6> at{};
-                for (std::size_t i = 0; i < 6; ++i) at[i] = random.in(box[i].lo, box[i].hi);
-                const auto a = run(whole, at), b = run(here, at);
+                for (std::size_t i = 0; i < 6; ++i) at[i] = random.in(part[i].lo, part[i].hi);
+                const auto a = run(whole, at), b = run(here, at), c = run(within, at);
                 ASSERT_EQ(a.size(), b.size());
-                for (std::size_t o = 0; o < a.size(); ++o)
-                    expect_same(a[o], b[o],
-                                formula + ", output " + std::to_string(o) + ", seed " +
-                                    std::to_string(seed));
+                for (std::size_t o = 0; o < a.size(); ++o) {
+                    const std::string where = formula + ", output " + std::to_string(o) +
+                                              ", seed " + std::to_string(seed);
+                    expect_same(a[o], b[o], where);
+                    expect_same(a[o], c[o], where);
+                }
             }
         }
     }
     EXPECT_GT(double(shorter), 0.5 * double(all));
+}
+
+// However they are ordered: a minimum of minima compares far ones with far ones.
+TEST(Tape, DropsFarBallsThatAreComparedWithFarOnesOnly) {
+    Random random(62);
+    std::vector<std::string> balls;
+    for (int k = 0; k < 64; ++k) {
+        const double distance = k == 0 ? 0 : random.in(2, 3), turn = random.in(0, 6.28);
+        balls.push_back("(x - " + std::to_string(distance * std::cos(turn)) + ")^2 + (y - " +
+                        std::to_string(distance * std::sin(turn)) + ")^2 + z^2 - 0.1");
+    }
+    std::swap(balls.front(), balls.back());
+    std::string chain = balls.front();
+    for (std::size_t k = 1; k < balls.size(); ++k) chain = "min(" + chain + ", " + balls[k] + ")";
+    const Tape whole = tape_of_field("0.5*max(-(" + chain + "), z - 9)");
+    std::array<Interval, 6> box;
+    box.fill({-0.2, 0.2});
+    Tape near;
+    Specialiser()(whole, box, near);
+    const Tape one = tape_of_field("0.5*-(" + balls.back() + ")");
+    EXPECT_GT(whole.steps.size(), 64u * 4);
+    EXPECT_LE(near.steps.size(), one.steps.size() + 2);
 }
 
 TEST(Tape, KeepsOfManyBallsThoseThatAreNear) {
@@ -138,7 +181,7 @@ TEST(Tape, KeepsOfManyBallsThoseThatAreNear) {
 
 TEST(Tape, LoopsOverElementsHaveNone) {
     const Field field = make_field("sum(blobs, (x - cx)^2) - 1", test_vocabulary());
-    EXPECT_FALSE(tape_of(std::array{field.value}, {}));
+    EXPECT_FALSE(tape_of(std::array<TapeSource, 1>{{{field.value}}}));
 }
 
 TEST(Tape, IsInWordsThatAnInterpreterReads) {
@@ -173,7 +216,7 @@ TEST(TapeCells, TellCellsWithoutRoots) {
     limits.threads = 2;
     const TapeCells cells = tape_cells(std::array{*group}, {}, box, limits);
     ASSERT_GE(cells.levels, 2);
-    const Tape whole = tape_of(std::array{field.value}, {}).value();
+    const Tape whole = tape_of(std::array<TapeSource, 1>{{{field.value}}}).value();
     const int n = 1 << cells.levels;
     const std::size_t all = std::size_t(n) * n * n;
     const std::size_t first = std::size_t(cells.spans_of_a_function()) - all;
