@@ -7,12 +7,19 @@ namespace isomotion::app {
 
 std::unique_ptr<gpu::Context> open_context(const std::string& backend) {
     const gpu::Backend parsed = gpu::parse_backend(backend);
-    const base::LastWords words(
-        "the OpenGL driver crashed while it was loaded; isomotion doctor tells which back ends "
-        "work (--backend egl, osmesa). Variables such as GALLIUM_DRIVER and LP_NATIVE_VECTOR_WIDTH "
-        "in the environment, and too little memory (ulimit -v), make drivers crash\n",
+    auto words = words_on_crash();
+    auto context = gpu::Context::create(parsed);
+    context->keep_until_drawn(std::move(words));
+    return context;
+}
+
+std::shared_ptr<void> words_on_crash() {
+    return std::make_shared<base::LastWords>(
+        "the program crashed before the first picture was drawn, most likely in the OpenGL driver. "
+        "isomotion doctor tells which back ends work (--backend egl, osmesa). Variables such as "
+        "GALLIUM_DRIVER and LP_NATIVE_VECTOR_WIDTH in the environment, and too little memory "
+        "(ulimit -v), make drivers crash. If there is no such thing here, please report this\n",
         exit_machine);
-    return gpu::Context::create(parsed);
 }
 
 } // namespace isomotion::app

@@ -7,6 +7,7 @@
 #include "app/commands.h"
 #include "app/console.h"
 #include "app/inputs.h"
+#include "app/open_context.h"
 #include "player/player.h"
 #include "player/ui/window.h"
 #include "scene/reading/load.h"
@@ -34,7 +35,9 @@ void expect_log_apart(const player::PlayOptions& options) {
 int play_in_window(const player::PlayOptions& options) {
     expect_log_apart(options);
     try {
-        player::play(options);
+        player::PlayOptions guarded = options;
+        guarded.guard = words_on_crash;
+        player::play(guarded);
         return exit_done;
     } catch (const player::NoWindow& error) {
         message("{}\nwithout a display, isomotion render draws frames into files\n", error.what());

@@ -4,6 +4,7 @@
 #include <stdexcept>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 struct GLFWwindow;
@@ -78,6 +79,11 @@ public:
 
     const ContextInfo& info() const noexcept { return info_; }
 
+    /// Keeps something until the first picture is read back: until then drivers load and compile,
+    /// which is when they crash.
+    void keep_until_drawn(std::shared_ptr<void> kept) noexcept { until_drawn_ = std::move(kept); }
+    void has_drawn() noexcept { until_drawn_.reset(); }
+
 protected:
     using Procedure = void (*)();
     using Loader = Procedure (*)(const char* name);
@@ -101,6 +107,7 @@ private:
     ContextInfo info_;
     Loader loader_;
     std::shared_ptr<Discarded> discarded_;
+    std::shared_ptr<void> until_drawn_;
 };
 
 } // namespace isomotion::gpu

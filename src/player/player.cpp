@@ -65,11 +65,13 @@ public:
         : reach_(options.reach)
         , memory_(options.remembers ? state_folder() : std::filesystem::path())
         , log_(log)
+        , guard_(options.guard())
         , window_("isomotion", place(scene.get()))
         , drawing_(open_drawing())
         , thread_(*drawing_, Window::wake)
         , audits_(Window::wake)
         , scheduler_(thread_) {
+        drawing_->keep_until_drawn(std::move(guard_));
         if (scene) {
             take(std::move(scene));
         } else {
@@ -518,6 +520,7 @@ private:
     std::unique_ptr<LiveScene> scene_;
     Memory memory_;
     PictureLog& log_;
+    std::shared_ptr<void> guard_; // until there is a context to keep it
     Window window_;
     std::unique_ptr<gpu::Context> drawing_;
     DrawThread thread_;

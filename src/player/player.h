@@ -2,6 +2,8 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 #include <utility>
@@ -20,6 +22,8 @@ struct PlayOptions {
     bool playing = true;       // starts playing at once
     std::filesystem::path log; // receives a line of JSON for each picture shown; empty: none
     bool remembers = true;     // keeps places and cameras between runs
+    // Called before OpenGL is used; what it returns is kept until the first picture is drawn.
+    std::function<std::shared_ptr<void>()> guard = [] { return nullptr; };
 };
 
 // Opens the window and returns when it is closed. Throws NoWindow, and SceneError for the given

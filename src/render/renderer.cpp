@@ -597,6 +597,7 @@ Picture Renderer::draw(const PictureInputs& inputs) {
     p.context.make_current();
     p.expect_own_size(inputs);
     Picture picture = p.draw(inputs);
+    p.context.has_drawn();
     picture.drawing = inputs.preparing + (std::chrono::steady_clock::now() - begin);
     return picture;
 }
@@ -630,6 +631,7 @@ Picture Renderer::take() {
     p.context.make_current();
     Picture picture;
     p.flights.guard([&] { picture = p.land(); });
+    p.context.has_drawn();
     picture.drawing += std::chrono::steady_clock::now() - begin;
     return picture;
 }
