@@ -1,5 +1,5 @@
 // Marches shadow rays from each point to every light that casts shadows, one light after the other.
-// In the ray's state, `refinements` counts the lights, and `verdict` has a bit for each hidden one.
+// hidden_lights.glsl tells what the ray's state holds.
 
 uniform bool first_pass;
 uniform int evaluations_per_pass;
@@ -23,10 +23,12 @@ Ray shadow_ray(SurfacePoint p, int k) {
 // Starts the next light that may be hidden. Lights behind the surface are skipped.
 RayState next_light(RayState s, SurfacePoint p) {
     bool anything = is_on_surface(p) || p.on_ground;
-    for (int k = s.refinements + 1; k < LIGHTS && anything; ++k) {
+    int begun = begun_lights(s);
+    for (int k = begun; k < LIGHTS && anything; ++k) {
         if (((SHADOWS >> k) & 1) == 0) continue;
         if (dot(p.normal, light_at(k, p.position).direction) <= 0.0) continue;
-        s.refinements = k;
+        s.verdict += (k + 1 - begun) * BEGUN_LIGHT;
+        s.refinements = 0;
         s.phase = PHASE_START;
 #ifdef THREE_SAMPLES
         s.other = vec3(0.0);
@@ -34,19 +36,18 @@ RayState next_light(RayState s, SurfacePoint p) {
 #endif
         return s;
     }
-    return finish(s, s.verdict);
+    return finish_lights(s);
 }
 
 void march_pixel() {
     SurfacePoint p = load_surface();
     RayState s;
     if (first_pass) {
-        s = state_at(0.0);
-        s.refinements = -1;
+        s = begin_lights();
     } else {
         s = load_state();
     }
-    int turns = evaluations_per_pass;
+    int turns = evaluations_per_pass, before = evaluations_before();
 #ifdef LISTS
     // Loops must end before drivers end them. Drivers go through the longest list of some eight
     // neighbours, each with its own list; the last sample may go through all elements.
@@ -61,7 +62,8 @@ void march_pixel() {
     while (true) {
         if (begins) s = next_light(s, p);
         if (s.phase == PHASE_DONE) break;
-        Ray ray = shadow_ray(p, s.refinements);
+        int light = begun_lights(s) - 1;
+        Ray ray = shadow_ray(p, light);
         if (begins) s.low = s.high = ray.t_near;
         int outcome = ray.t_near < ray.t_far ? RAY_GOES_ON : RAY_IS_FREE;
 #ifdef SECTIONS
@@ -81,18 +83,12 @@ void march_pixel() {
         while (turns > 0 && outcome == RAY_GOES_ON) {
             s.evaluations += 1;
 #ifdef PASSES_FREE
-            RayState past = s;
-            past.refinements = 0;
-            past = pass_free(past, ray);
+            RayState past = pass_free(s, ray);
             if (past.phase == PHASE_DONE) {
                 outcome = RAY_IS_FREE;
                 break;
             }
-            if (past.low > s.low) {
-                past.refinements = s.refinements;
-                past.verdict = s.verdict;
-                s = past;
-            }
+            s = past;
 #endif
             outcome = any_hit(s, ray, p.offset);
             turns -= 1;
@@ -103,7 +99,7 @@ void march_pixel() {
             elements -= array0_count;
             if (elements <= 0) turns = 0;
 #endif
-            if (outcome == RAY_GOES_ON && s.evaluations >= int(limits.y)) outcome = RAY_IS_FREE;
+            if (outcome == RAY_GOES_ON && is_undecided(s, before)) outcome = RAY_IS_UNDECIDED;
         }
 #ifdef BOUNDED_TOUCHES
         if (outcome == RAY_IS_SOLVED) outcome = any_hit_solved(s, ray);
@@ -118,7 +114,8 @@ void march_pixel() {
         }
 #endif
         if (outcome == RAY_GOES_ON) break; // in the next pass
-        if (outcome == RAY_IS_HIDDEN) s.verdict += 1 << s.refinements;
+        if (outcome == RAY_IS_HIDDEN) s.verdict += 1 << light;
+        if (outcome == RAY_IS_UNDECIDED) s.verdict += UNDECIDED_RAY;
         begins = true;
     }
     store_state(s);

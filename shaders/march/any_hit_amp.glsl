@@ -2,7 +2,7 @@
 // Narayanan 2010, IV-B). But where a test suspects a root although the signs at both ends agree, it
 // must still do so in half the step, down to `finest`.
 
-const int RAY_GOES_ON = 0, RAY_IS_FREE = 1, RAY_IS_HIDDEN = 2;
+const int RAY_GOES_ON = 0, RAY_IS_FREE = 1, RAY_IS_HIDDEN = 2, RAY_IS_UNDECIDED = 4;
 
 int any_hit(inout RayState s, Ray ray, float finest) {
     vec2 f = sample_field(ray_point(ray, s.high), ray.direction);
@@ -14,10 +14,11 @@ int any_hit(inout RayState s, Ray ray, float finest) {
         return RAY_GOES_ON;
     }
     if (hidden) return RAY_IS_HIDDEN;
-    if (im_is_nan(f.x) || s.high >= ray.t_far) return RAY_IS_FREE;
+    if (im_is_nan(f.x)) return RAY_IS_UNDECIDED;
+    if (s.high >= ray.t_far) return RAY_IS_FREE;
     s.low = s.high;
     s.f_low = f;
     s.phase = PHASE_MARCH;
     s.high = min(s.low + step_size(f), ray.t_far);
-    return s.high > s.low ? RAY_GOES_ON : RAY_IS_FREE;
+    return s.high > s.low ? RAY_GOES_ON : RAY_IS_UNDECIDED;
 }

@@ -1,14 +1,18 @@
 // Shadow rays. Any root will do, so a ray that begins to refine a root is hidden.
 
 const int RAY_GOES_ON = 0, RAY_IS_FREE = 1, RAY_IS_HIDDEN = 2, RAY_IS_SOLVED = 3;
+const int RAY_IS_UNDECIDED = 4;
+
+int outcome_of_end(int verdict) {
+    if (verdict == VERDICT_HIT) return RAY_IS_HIDDEN;
+    return verdict == VERDICT_MISS ? RAY_IS_FREE : RAY_IS_UNDECIDED;
+}
 
 int any_hit(inout RayState s, Ray ray, float finest) {
     RayState next = turn(s, ray);
     if (next.phase == PHASE_REFINE) return RAY_IS_HIDDEN;
-    if (next.phase == PHASE_DONE) return next.verdict == VERDICT_HIT ? RAY_IS_HIDDEN : RAY_IS_FREE;
-    // These two count samples and lights here.
-    next.evaluations = s.evaluations;
-    next.refinements = s.refinements;
+    if (next.phase == PHASE_DONE) return outcome_of_end(next.verdict);
+    next.evaluations = s.evaluations; // counted for every method in one place
     s = next;
     return s.phase == PHASE_SOLVE ? RAY_IS_SOLVED : RAY_GOES_ON;
 }
@@ -17,7 +21,7 @@ int any_hit(inout RayState s, Ray ray, float finest) {
 // Continues a ray whose turn left it to solve().
 int any_hit_solved(inout RayState s, Ray ray) {
     RayState next = solve(s, ray);
-    if (next.phase == PHASE_DONE) return next.verdict == VERDICT_HIT ? RAY_IS_HIDDEN : RAY_IS_FREE;
+    if (next.phase == PHASE_DONE) return outcome_of_end(next.verdict);
     s.phase = next.phase;
     return RAY_GOES_ON;
 }

@@ -1,5 +1,4 @@
-// Crosses sections on shadow rays. Needs cross.glsl and any_hit(). In their state `refinements`
-// counts lights, so `high` holds the section behind.
+// Crosses sections on shadow rays. Needs cross.glsl and any_hit(). `high` holds the section behind.
 
 RayState at_shadow_crossing(RayState s, float t, int behind) {
     s.phase = PHASE_CROSS;
@@ -17,14 +16,13 @@ RayState crossing_of(RayState s, bool crosses) {
 
 int outcome_of(RayState crossing) {
     if (crossing.phase != PHASE_DONE) return RAY_GOES_ON;
-    return crossing.verdict == VERDICT_HIT ? RAY_IS_HIDDEN : RAY_IS_FREE;
+    return crossing.verdict == VERDICT_HIT ? RAY_IS_HIDDEN : RAY_IS_FREE; // NaN at a cut: no cap
 }
 
-// State of a shadow ray where its next part begins; keeps its counts of lights and evaluations.
+// State of a shadow ray where its next part begins; keeps what is known of lights, and the count of evaluations.
 RayState on_part(RayState s, RayState crossing) {
     RayState fresh = state_at(crossing.low);
     fresh.verdict = s.verdict;
-    fresh.refinements = s.refinements;
     fresh.evaluations = s.evaluations + crossing.evaluations;
     return fresh;
 }

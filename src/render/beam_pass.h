@@ -36,9 +36,9 @@ public:
     int listed() const { return listed_; }
 
     // Draws the beams of these pixels, from the corner of a block on, and binds the results of the
-    // last level. `ranges`: ViewInputs::beams. `origin` is the place of pixel (0, 0) in the picture;
-    // `array` is null without lists. Rays go through their pixels' centres, or up to `around`
-    // pixels from them.
+    // last level. `ranges`: ViewInputs::beams. `origin` is the place of pixel (0, 0) in the
+    // picture; `array` is null without lists. Rays go through their pixels' centres, or up to
+    // `around` pixels from them.
     void draw(PassTable& table, std::span<const glm::vec4> ranges, const gpu::Rectangle& pixels,
               glm::ivec2 origin, const ArrayBuffer* array, double around = 0) const;
     // Binds the results for passes that read them as `kind`_texture: "beam" or "light_beam".

@@ -17,6 +17,7 @@ namespace isomotion::render {
 struct MarchPlan {
     int tile_width = 0, tile_height = 0;
     int evaluations_per_pass = 0;
+    int most_evaluations_per_pass = 0; // where few rays are open yet; 0: no more
     // Whether small pictures begin at corner_of_picture().
     bool spreads_small_pictures = false;
 
@@ -36,6 +37,9 @@ inline constexpr double operations_per_draw = 1e10;
 // For hardware that does so many operations a second in this stage (0: not known), at the
 // 5 % of them that marches reach: half a second.
 double operations_per_draw_at(double operations_a_second);
+
+// Operations of one ray in one draw: some tenths of a second, as they follow one another.
+inline constexpr double operations_of_a_ray = 1e8;
 
 // What a draw may be given.
 struct DrawLimits {

@@ -100,9 +100,9 @@ Proofs::Proofs(const synthesis::Passes& passes, const scene::Scene& scene, const
     , may_take_doubles_(in_doubles)
     , block_pieces_(std::min(
           most_pieces_of_block,
-          pieces_of_draw(
-              synthesis::cost_of_block_piece(*scene.surface.field, passes, elements_of_piece(passes)),
-              double(blocks_across(plan.tile_width)) * blocks_across(plan.tile_height))))
+          pieces_of_draw(synthesis::cost_of_block_piece(*scene.surface.field, passes,
+                                                        elements_of_piece(passes)),
+                         double(blocks_across(plan.tile_width)) * blocks_across(plan.tile_height))))
     , natural_{Role::proof, cost_that_fits(cost_of_piece(passes, scene, ProofBounds::natural))}
     , of_coarse_blocks_(blocks_across(plan.tile_width, synthesis::coarse_proved_block),
                         blocks_across(plan.tile_height, synthesis::coarse_proved_block))

@@ -17,14 +17,17 @@ RayMarcher::RayMarcher(const synthesis::Passes& passes, const scene::Scene& scen
     , shadow_lights_(std::popcount(unsigned(synthesis::shadow_mask(scene))))
     , stop_if_asked_(std::move(stop_if_asked)) {}
 
-int RayMarcher::evaluations_of(Role role) const {
+RayMarcher::Evaluations RayMarcher::evaluations_of(Role role) const {
     // Mirrored rays go by no lists.
     const bool by_lists = role == Role::march || (role == Role::shadow && passes_.light_beams != 0);
     const bool is_planned = !synthesis::has_lists(passes_) || by_lists;
-    const int all = is_planned ? plan_.march.evaluations_per_pass : plan_.evaluations_without_lists;
-    if (role != Role::shadow) return all;
+    const Evaluations all =
+        is_planned
+            ? Evaluations{plan_.march.evaluations_per_pass, plan_.march.most_evaluations_per_pass}
+            : Evaluations{plan_.evaluations_without_lists, plan_.most_evaluations_without_lists};
     // One light after the other, neighbours wait for the longest ray of each.
-    return std::max(all / shadow_lights_, 1);
+    const int lights = role == Role::shadow ? shadow_lights_ : 1;
+    return {std::max(all.usual / lights, 1), std::max({all.most, all.usual, lights}) / lights};
 }
 
 const gpu::Target& RayMarcher::march(PassTable& table, Role role, const gpu::Rectangle& tile,
@@ -32,7 +35,10 @@ const gpu::Target& RayMarcher::march(PassTable& table, Role role, const gpu::Rec
                                      int& draws, const gpu::Rectangles* parts) const {
     const gpu::Program& program = table.program(role);
     const gpu::Program& active = table.program(Role::active);
-    program.set("evaluations_per_pass", evaluations_of(role));
+    // A draw of few rays may take each of them further: groups of so many run together.
+    constexpr double rays_together = 32;
+    const Evaluations evaluations = evaluations_of(role);
+    program.set("evaluations_per_pass", evaluations.usual);
     program.set("element_budget", plan_.element_budget);
     const gpu::Target *from = &targets.odd, *to = &targets.even;
     for (bool first = true;; first = false) {
@@ -46,7 +52,12 @@ const gpu::Target& RayMarcher::march(PassTable& table, Role role, const gpu::Rec
         still_active_.begin();
         table.draw(active, tile);
         still_active_.end();
-        if (still_active_.passed() == 0) return *to;
+        const std::uint32_t open = still_active_.passed();
+        if (open == 0) return *to;
+        const double growth = double(tile.width) * tile.height / (rays_together * open);
+        program.set("evaluations_per_pass",
+                    int(std::clamp(evaluations.usual * growth, double(evaluations.usual),
+                                   double(std::max(evaluations.usual, evaluations.most)))));
         stop_if_asked_();
         std::swap(from, to);
     }

@@ -34,7 +34,11 @@ public:
                              const gpu::Rectangles* parts = nullptr) const;
 
 private:
-    int evaluations_of(synthesis::Role role) const;
+    // Evaluations of a ray in one draw: usually, and at most where few rays are open yet.
+    struct Evaluations {
+        int usual, most;
+    };
+    Evaluations evaluations_of(synthesis::Role role) const;
 
     const synthesis::Passes& passes_;
     const ScenePlan& plan_;

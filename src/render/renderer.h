@@ -74,8 +74,8 @@ struct RenderOptions {
     // Whether pictures are read back at once, as hardware is best asked, or in parts; by default as
     // the context's renderer is. It changes no pixel.
     std::optional<bool> reads_at_once{};
-    // Whether steps of rays branch, which graphics cards gain by; by default as the context's renderer
-    // does. It changes at most the last bits of hits.
+    // Whether steps of rays branch, which graphics cards gain by; by default as the context's
+    // renderer does. It changes at most the last bits of hits.
     std::optional<bool> branches{};
     // Threads that make grids of elements and copy pixels; 0: as many as the machine runs at once.
     int threads = 0;

@@ -159,20 +159,20 @@ MarchPlan plan_of_march(const scene::Scene& scene, const synthesis::Passes& pass
     const MarchPlan fitting =
         plan_march(cost, width, height, std::min(largest_tile, max_texture_size), limits);
     MarchPlan chosen = wanted.value_or(fitting);
+    double most = loop_iterations_per_pass;
     // One draw marches and shades.
     const double with_shade =
         (loop_iterations_per_pass - shade_iterations(scene, passes, by_place ? usual : counts)) /
         (1 + cost.iterations);
-    if (passes.has(synthesis::Role::fused) && with_shade >= 1) {
-        chosen.evaluations_per_pass = std::min(chosen.evaluations_per_pass, int(with_shade));
-    }
+    if (passes.has(synthesis::Role::fused) && with_shade >= 1) most = with_shade;
     if (by_place) {
         const double fitting_others = part_of_others * loop_iterations_per_pass /
                                       turns_beside_lists(scene, passes, std::size_t(*by_place));
-        chosen.evaluations_per_pass =
-            int(std::clamp(fitting_others, 1.0, double(chosen.evaluations_per_pass)));
+        most = std::min(most, std::max(fitting_others, 1.0));
     }
-    chosen.evaluations_per_pass = of_a_part(scene, chosen.evaluations_per_pass);
+    for (int* evaluations : {&chosen.evaluations_per_pass, &chosen.most_evaluations_per_pass}) {
+        if (*evaluations > 0) *evaluations = of_a_part(scene, std::min(*evaluations, int(most)));
+    }
     return chosen;
 }
 
@@ -222,7 +222,10 @@ ScenePlan plan_scene(const scene::Scene& scene, const synthesis::Passes& passes,
                      const DrawLimits& limits) {
     ScenePlan plan;
     plan.march = plan_of_march(scene, passes, width, height, max_texture_size, wanted, limits);
-    plan.evaluations_without_lists = without_lists(scene, passes, plan.march.evaluations_per_pass);
+    const auto [usual, most] =
+        std::pair(plan.march.evaluations_per_pass, plan.march.most_evaluations_per_pass);
+    plan.evaluations_without_lists = without_lists(scene, passes, usual);
+    plan.most_evaluations_without_lists = without_lists(scene, passes, std::max(usual, most));
     plan.most_elements_at_a_place = most_at_a_place(scene, passes);
     plan.element_budget = budget_of_elements(scene, passes);
     return plan;

@@ -13,7 +13,8 @@ namespace isomotion::render {
 
 struct ScenePlan {
     MarchPlan march;
-    int evaluations_without_lists = 0;          // in one draw, for rays that sum over all elements
+    // In one draw, for rays that sum over all elements: usually, and where few rays are open yet.
+    int evaluations_without_lists = 0, most_evaluations_without_lists = 0;
     std::uint32_t most_elements_at_a_place = 0; // if elements are found by place
     float element_budget = 0; // limit on elements summed in all evaluations of one draw
 };

@@ -249,6 +249,7 @@ Pass shadow_pass(const scene::Scene& scene, const Passes& passes) {
     text.file(fmt::format("march/{}.glsl", method.any_hit));
     add_crossings(text, scene);
     if (!scene.sections.empty()) text.file("section/shadow.glsl");
+    text.file("effects/hidden_lights.glsl");
     begin_shadow_after_others(text, scene, shadow_mask(scene));
     text.file("effects/shadow.glsl");
     text.file_of_stage("stage/march.frag", "stage/march.comp");

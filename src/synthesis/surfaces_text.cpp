@@ -104,12 +104,13 @@ void agree_on_draws(std::vector<Passes*> all) {
 }
 
 void begin_shadow_after_others(ShaderText& text, const scene::Scene& scene, int mask) {
-    if (!is_among(scene) || is_first(scene)) return;
+    if (!is_among(scene) || is_first(scene)) {
+        text.file("effects/begin_lights.glsl");
+        return;
+    }
     text.file("surfaces/shadow_begin.glsl");
-    text.generated("rays begin after those of others, for the lights that these leave",
-                   fmt::format("#define state_at after_others\n"
-                               "#undef SHADOWS\n#define SHADOWS ({} & ~s.verdict)\n",
-                               mask));
+    text.generated("rays begin for the lights that others leave",
+                   fmt::format("#undef SHADOWS\n#define SHADOWS ({} & ~s.verdict)\n", mask));
 }
 
 Pass mirror_mask_pass(const scene::Scene& scene) {
