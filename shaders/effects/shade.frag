@@ -1,7 +1,7 @@
 // Shades the ends of the rays, for scenes with more than a plain light.
 
 layout(location = 0) out vec4 color;
-layout(location = 1) out uvec2 record; // and evaluations of shadow rays
+layout(location = 1) out uvec4 record; // see shade/record.glsl
 
 void main() {
     Ray ray = pixel_ray();
@@ -17,6 +17,6 @@ void main() {
     } else {
         color = sky(ray.direction);
     }
-    record = uvec2(packed_record(p.verdict, s.evaluations), uint(further_evaluations()));
+    record = uvec4(packed_record(p.verdict, s.evaluations), further_record(p));
     write_channels(ray, hit, p.verdict);
 }

@@ -4,5 +4,5 @@ void main() {
     bool on_ground = path.state == PATH_ON_GROUND;
     float pixel = load_surface().pixel;
     store_surface(point_at(path.position, 0.05 * pixel, ground_normal(path.direction), VERDICT_MISS,
-                           false, on_ground, 1.0, 0.0, pixel));
+                           false, on_ground, 1.0, 0.0, pixel), 0);
 }

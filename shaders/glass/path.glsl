@@ -4,6 +4,7 @@ const int PATH_ENDED = 0;
 const int PATH_IN_GLASS = 1;  // its ray goes on within F < 0
 const int PATH_OUTSIDE = 2;   // its ray goes on outside
 const int PATH_ON_GROUND = 3; // it ended on the ground
+const int PATH_LOST = 5;      // it ended undecided
 
 struct Path {
     vec3 position;  // where its ray begins, or where it ended on the ground

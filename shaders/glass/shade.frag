@@ -2,7 +2,7 @@
 // through it.
 
 layout(location = 0) out vec4 color;
-layout(location = 1) out uvec2 record; // and evaluations of further rays
+layout(location = 1) out uvec4 record; // see shade/record.glsl
 
 void main() {
     Ray ray = pixel_ray();
@@ -18,6 +18,6 @@ void main() {
     } else {
         color = sky(ray.direction) * vec4(load_path().weight, 1.0);
     }
-    record = uvec2(packed_record(p.verdict, s.evaluations), uint(further_evaluations()));
+    record = uvec4(packed_record(p.verdict, s.evaluations), further_record(p));
     write_channels(ray, hit, p.verdict);
 }

@@ -10,6 +10,6 @@ void main() {
 #ifdef SECTIONS
     p.cap = path.cap;
 #endif
-    store_surface(p);
+    store_surface(p, 0);
     surface_3 = vec4(0.0, 0.0, float(owner_of_path()), 0.0);
 }

@@ -33,7 +33,7 @@ void main() {
     if (is_lost) { // no pixel lies silently
         bool nan = p.verdict == VERDICT_NAN;
         path.light += path.weight * (nan ? vec3(1.0, 0.0, 1.0) : vec3(1.0, 0.8, 0.0));
-        path.state = PATH_ENDED;
+        path.state = PATH_LOST;
     }
     store_path(with_ground(path));
 }

@@ -6,6 +6,7 @@ const int PATH_IN_GLASS = 1;   // its ray goes on,
 const int PATH_OUTSIDE = 2;    // as well
 const int PATH_ON_GROUND = 3;  // it ended there,
 const int PATH_ON_SURFACE = 4; // or on a surface that it does not go on from: the light is that of seen.frag
+const int PATH_LOST = 5;       // or undecided
 const int NO_MATTER = -1;      // what is around
 
 struct Path {

@@ -1,4 +1,4 @@
-// Colours of this surface where paths ended on it, and of the ground; and evaluations of shadow rays.
+// Colours of this surface where paths ended on it, and of the ground; and what shadow rays took there.
 layout(location = 0) out vec4 seen;
 
 uniform sampler2D mirrored_texture_3;
@@ -7,5 +7,5 @@ void main() {
     SurfacePoint q = load_mirrored();
     bool is_own = int(texelFetch(mirrored_texture_3, ivec2(pixel_centre), 0).z) == SURFACE;
     if (!is_own || !(is_on_surface(q) || q.on_ground)) discard;
-    seen = vec4(seen_again(q, hit_of(q), load_path().direction), shadow_evaluations());
+    seen = vec4(seen_again(q, hit_of(q), load_path().direction), shadows_here());
 }

@@ -1,7 +1,7 @@
 // surfaces/shade.frag with the light of paths, also where the eye is in glass and no surface before it.
 
 layout(location = 0) out vec4 color;
-layout(location = 1) out uvec2 record; // and evaluations of further rays
+layout(location = 1) out uvec4 record; // see shade/record.glsl
 
 void main() {
     vec4 end = texelFetch(surface_texture_3, ivec2(pixel_centre), 0);
@@ -19,6 +19,6 @@ void main() {
         vec4 far = sky(ray.direction);
         color = vec4(with_path(far.rgb), load_path().own > 0.0 ? far.a : 1.0);
     }
-    record = uvec2(packed_record(p.verdict, int(end.y)), uint(further_evaluations()));
+    record = uvec4(packed_record(p.verdict, int(end.y)), further_record(p));
     write_channels(ray, hit, p.verdict);
 }

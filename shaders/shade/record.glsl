@@ -1,6 +1,12 @@
-// Packs the record of a pixel's rays: src/render/record.h. VERDICT_UNFINISHED is no Verdict.
+// Packs the record of a pixel's rays: src/render/record.h. VERDICT_UNFINISHED is no Verdict. If a
+// pixel has further rays, three more words are evaluations for shadows, evaluations of mirrored and
+// refracted rays, and how many of both stay undecided, with the evaluations for occlusion above these.
 const int VERDICT_UNFINISHED = 7;
 
 uint packed_record(int verdict, int evaluations) {
     return uint(verdict) | uint(evaluations) << 3;
+}
+
+uint packed_further(float undecided_shadows, int undecided_paths, int for_occlusion) {
+    return min(uint(undecided_shadows), 255u) | uint(undecided_paths) << 8 | uint(for_occlusion) << 16;
 }

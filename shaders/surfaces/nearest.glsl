@@ -10,6 +10,6 @@ float way_to_end(Ray ray, SurfacePoint p) {
 }
 
 void store_end(SurfacePoint p, float way, float evaluations) {
-    store_surface(p);
+    store_surface(p, 0);
     surface_3 = vec4(way, evaluations, float(SURFACE), 0.0);
 }

@@ -3,6 +3,6 @@ vec3 shade(Ray ray, SurfacePoint p, Hit hit) {
     return shade(hit);
 }
 
-float further_evaluations() {
-    return 0.0;
+uvec3 further_record(SurfacePoint p) {
+    return uvec3(0u);
 }

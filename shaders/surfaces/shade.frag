@@ -2,7 +2,7 @@
 // effects/shade.frag, with the evaluations that all surfaces took.
 
 layout(location = 0) out vec4 color;
-layout(location = 1) out uvec2 record; // and evaluations of shadow rays
+layout(location = 1) out uvec4 record; // see shade/record.glsl
 
 void main() {
     vec4 end = texelFetch(surface_texture_3, ivec2(pixel_centre), 0);
@@ -19,6 +19,6 @@ void main() {
     } else {
         color = sky(ray.direction);
     }
-    record = uvec2(packed_record(p.verdict, int(end.y)), uint(further_evaluations()));
+    record = uvec4(packed_record(p.verdict, int(end.y)), further_record(p));
     write_channels(ray, hit, p.verdict);
 }

@@ -37,7 +37,7 @@ Measurement measure_one(gpu::Context& context, const scene::Scene& scene, const 
     for (std::size_t k = 0; k < how.frames.size(); ++k) {
         const scene::SceneAt now = picture_of(changed, how.frames[k]);
         const render::Picture picture = looked_at.draw(now);
-        found.evaluations += double(picture.evaluations) / double(how.frames.size());
+        found.evaluations += double(picture.evaluations()) / double(how.frames.size());
         const Errors errors = compare(now, picture.frame, truths[k]);
         if (k == 0) found.errors.faults = errors.faults;
         found.errors.add(errors);

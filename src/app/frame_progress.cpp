@@ -1,34 +1,68 @@
 #include "app/frame_progress.h"
 
+#include <algorithm>
+#include <vector>
+
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 namespace isomotion::app {
 namespace {
 
-constexpr std::chrono::duration<double> is_known{10}, is_long{60};
+constexpr std::chrono::duration<double> is_known{2}, is_long{10};
 constexpr std::chrono::milliseconds shown_every{200};
-
-std::string duration(double seconds) {
-    if (seconds < 100) return fmt::format("{:.0f} s", seconds);
-    if (seconds < 6000) return fmt::format("{:.0f} minutes", seconds / 60);
-    return fmt::format("{:.0f} hours", seconds / 3600);
-}
 
 } // namespace
 
-std::optional<std::string> long_frame(int frame, std::chrono::duration<double> passed,
-                                      double part) {
-    if (passed < is_known) return std::nullopt;
-    if (part <= 0) {
-        if (passed < is_long) return std::nullopt;
-        return fmt::format("frame {}: nothing of it is drawn after {}", frame,
-                           duration(passed.count()));
+std::string what_costs(const scene::Scene& scene) {
+    std::vector<std::string> costs;
+    const int samples = scene.output.samples;
+    if (samples > 1)
+        costs.push_back(fmt::format("{} samples a pixel (--set output.samples=1)", samples));
+    int depth = 0;
+    bool mirrors = false, certifies = false;
+    const auto look_at = [&](const scene::Scene& one) {
+        if (one.material.glass) depth = std::max(depth, one.material.glass->depth);
+        mirrors |= one.material.reflection == scene::Material::Reflection::self;
+        certifies |= one.isolation.certify;
+    };
+    look_at(scene);
+    std::ranges::for_each(scene.others, look_at);
+    if (depth > 0) costs.push_back(fmt::format("glass {} rays deep (material.glass.depth)", depth));
+    if (mirrors) costs.push_back("mirrors (material.reflection)");
+    if (certifies) costs.push_back("proofs (--certify)");
+    costs.push_back(fmt::format("{}x{} pixels (--size)", scene.output.width, scene.output.height));
+    return fmt::format("{}", fmt::join(costs, ", "));
+}
+
+void Pace::note(double part, Seconds passed) {
+    if (part <= part_) return;
+    if (first_ == 0) {
+        first_ = part;
+        at_first_ = passed;
     }
-    const double all = passed.count() / part;
-    if (all < is_long.count()) return std::nullopt;
-    return fmt::format("frame {} takes some {}: {:.0f} % are drawn after {}; fewer elements, a "
-                       "shorter formula or a smaller --size take less",
-                       frame, duration(all), 100 * part, duration(passed.count()));
+    part_ = part;
+    at_part_ = passed;
+}
+
+std::optional<Pace::Seconds> Pace::left() const {
+    if (part_ <= first_) return std::nullopt;
+    return (1 - part_) / (part_ - first_) * (at_part_ - at_first_);
+}
+
+std::optional<std::string> long_frame(int frame, Pace::Seconds passed, double part,
+                                      std::optional<Pace::Seconds> left, const std::string& costs) {
+    if (passed < is_known) return std::nullopt;
+    if (!left) {
+        if (passed < is_long) return std::nullopt;
+        const std::string drawn = part > 0 ? fmt::format("{:.0f} %", 100 * part) : "nothing";
+        return fmt::format("frame {}: {} of it is drawn after {}; what costs: {}", frame, drawn,
+                           duration(passed.count()), costs);
+    }
+    const Pace::Seconds all = passed + *left;
+    if (all < is_long) return std::nullopt;
+    return fmt::format("frame {} takes some {}: {:.0f} % are drawn after {}; what costs: {}", frame,
+                       duration(all.count()), 100 * part, duration(passed.count()), costs);
 }
 
 void FrameProgress::show(const sequence::ExportProgress& now) {
@@ -37,18 +71,24 @@ void FrameProgress::show(const sequence::ExportProgress& now) {
     if (now.done != done_) {
         done_ = now.done;
         begin_ = shown_ = time;
+        pace_ = {};
         progress_.show(done_, name);
         return;
     }
+    const Pace::Seconds passed = time - begin_;
+    pace_.note(now.part, passed);
+    const std::optional<Pace::Seconds> left = pace_.left();
     if (!told_) {
-        if (const auto text = long_frame(now.frame, time - begin_, now.part)) {
-            progress_.tell("warning: " + *text);
+        if (const auto text = long_frame(now.frame, passed, now.part, left, costs_)) {
+            progress_.tell(*text);
             told_ = true;
         }
     }
     if (time - shown_ < shown_every) return;
     shown_ = time;
-    progress_.show(done_, fmt::format("{}, {:.0f} % of it", name, 100 * now.part));
+    progress_.show(done_ + now.part,
+                   fmt::format("{}, {:.0f} % of it{}", name, 100 * now.part,
+                               left ? ", " + duration(left->count()) + " left" : ""));
 }
 
 } // namespace isomotion::app

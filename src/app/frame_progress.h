@@ -1,4 +1,4 @@
-// Progress within a frame that takes long; Progress counts whole frames.
+// Progress within a frame, and a word on frames that take long.
 #pragma once
 
 #include <chrono>
@@ -6,19 +6,41 @@
 #include <string>
 
 #include "app/progress.h"
+#include "scene/scene.h"
 #include "sequence/exporter.h"
 
 namespace isomotion::app {
 
+// What makes a scene's frames take long, and what to set for less: "16 samples a pixel (--set
+// output.samples=1), glass 6 rays deep (material.glass.depth), 512x512 pixels (--size)".
+std::string what_costs(const scene::Scene& scene);
+
+// How long the rest of a frame will take. Its first part compiles shaders, so later ones tell the
+// pace; before the second, nobody knows it.
+class Pace {
+public:
+    using Seconds = std::chrono::duration<double>;
+
+    // `part` of the frame is drawn after the time `passed`. Parts rise.
+    void note(double part, Seconds passed);
+    std::optional<Seconds> left() const;
+
+private:
+    double first_ = 0, part_ = 0;
+    Seconds at_first_{}, at_part_{};
+};
+
 // The message on a frame of which `part` is drawn after the time `passed`. It is an estimate if the
-// frame will take over a minute in total, and says that nothing is done yet after a minute. None
-// before ten seconds.
-std::optional<std::string> long_frame(int frame, std::chrono::duration<double> passed, double part);
+// frame will take over ten seconds, and says that nothing is done yet after ten. None in the first
+// two.
+std::optional<std::string> long_frame(int frame, Pace::Seconds passed, double part,
+                                      std::optional<Pace::Seconds> left, const std::string& costs);
 
 class FrameProgress {
 public:
-    explicit FrameProgress(Progress& progress)
-        : progress_(progress) {}
+    FrameProgress(Progress& progress, const scene::Scene& scene)
+        : progress_(progress)
+        , costs_(what_costs(scene)) {}
 
     // Reports once per sequence how long its frames take, in a log as on a terminal.
     void show(const sequence::ExportProgress& now);
@@ -27,8 +49,10 @@ private:
     using Clock = std::chrono::steady_clock;
 
     Progress& progress_;
+    std::string costs_;
     int done_ = -1;
     Clock::time_point begin_{}, shown_{}; // of the frame, and of the text shown
+    Pace pace_;                           // of the frame
     bool told_ = false;
 };
 

@@ -10,6 +10,12 @@
 
 namespace isomotion::app {
 
+std::string duration(double seconds) {
+    if (seconds < 100) return fmt::format("{:.0f} s", seconds);
+    if (seconds < 6000) return fmt::format("{:.0f} minutes", seconds / 60);
+    return fmt::format("{:.0f} hours", seconds / 3600);
+}
+
 Progress::Progress(std::string what, int total, bool quiet)
     : what_(std::move(what))
     , total_(total)
@@ -19,17 +25,18 @@ Progress::~Progress() {
     if (drawn_) control_terminal("\r\033[K");
 }
 
-void Progress::show(int done, const std::string& note) {
+void Progress::show(double done, const std::string& note) {
     if (!terminal_) return;
     constexpr int width = 30;
-    const int filled = total_ > 0 ? std::clamp(width * done / total_, 0, width) : 0;
+    const int filled = total_ > 0 ? int(std::clamp(width * done / total_, 0.0, double(width))) : 0;
     const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - begin_;
     std::string left;
     if (done > 0 && done < total_) {
-        left = fmt::format(", {:.0f} s left", passed.count() / done * (total_ - done));
+        left = fmt::format(", {} left", duration(passed.count() / done * (total_ - done)));
     }
     control_terminal(fmt::format("\r\033[K{} [{:=<{}}{: <{}}] {}/{}{} {}", what_, "", filled, "",
-                                 width - filled, done, total_, left, base::printable_line(note)));
+                                 width - filled, int(done), total_, left,
+                                 base::printable_line(note)));
     drawn_ = true;
 }
 

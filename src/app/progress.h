@@ -7,6 +7,9 @@
 
 namespace isomotion::app {
 
+// "12 s", "3 minutes".
+std::string duration(double seconds);
+
 class Progress {
 public:
     Progress(std::string what, int total, bool quiet);
@@ -14,7 +17,8 @@ public:
     Progress(const Progress&) = delete;
     Progress& operator=(const Progress&) = delete;
 
-    void show(int done, const std::string& note = {});
+    // `done` of the total, in parts too.
+    void show(double done, const std::string& note = {});
 
     // Prints a message of its own on stderr, above the line.
     void tell(const std::string& text);

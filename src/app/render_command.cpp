@@ -48,17 +48,21 @@ std::string summary(const sequence::ExportTotals& totals, Seconds wall) {
     if (totals.drawn > 0) {
         const auto& verdicts = totals.verdicts;
         const auto rays = std::accumulate(verdicts.begin(), verdicts.end(), std::int64_t(0));
+        const auto by_kind = render::each(totals.rays, &render::RayCount::evaluations);
+        const auto evaluations = std::accumulate(by_kind.begin(), by_kind.end(), std::int64_t(0));
         text += fmt::format(
             "drawn {} in {:.2f} s ({:.1f} ms each, {:.1f} evaluations a ray); all "
             "of it took {:.2f} s, {:.2f} times the drawing\n",
             totals.drawn, totals.drawing.count(), 1e3 * totals.drawing.count() / totals.drawn,
-            double(totals.evaluations) / double(rays), wall.count(), wall / totals.drawing);
+            double(evaluations) / double(rays), wall.count(), wall / totals.drawing);
         text += "rays:";
         for (std::size_t v = 0; v < verdicts.size(); ++v) {
             text +=
                 fmt::format("{} {} {}", v == 0 ? "" : ",", verdicts[v], render::verdict_names[v]);
         }
         text += "\n";
+        if (by_kind[std::size_t(render::RayKind::eye)] < evaluations)
+            text += "evaluations: " + render::words(totals.rays, rays) + "\n";
         if (totals.without_colour > 0) {
             text += fmt::format("{} pixels whose colour is infinite or no number\n",
                                 totals.without_colour);
@@ -167,7 +171,7 @@ int render(const RenderArguments& arguments) {
     const StopOnSignal stop;
     std::optional<Progress> progress;
     progress.emplace("rendering", int(options.frames.size()), arguments.quiet);
-    FrameProgress of_frame(*progress);
+    FrameProgress of_frame(*progress, exporter.scene());
     const sequence::ExportWatcher watcher{.stop = [&] { return stop.asked(); },
                                           .warn = warn,
                                           .progress =

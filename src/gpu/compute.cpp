@@ -18,8 +18,8 @@ GLenum image_format(Format format) {
         return GL_RG32F;
     case Format::r32ui:
         return GL_R32UI;
-    case Format::rg32ui:
-        return GL_RG32UI;
+    case Format::rgba32ui:
+        return GL_RGBA32UI;
     case Format::rgba32f:
     case Format::depth16: // no image can be one
         break;

@@ -120,7 +120,7 @@ void Target::pack(int attachment, Rectangle area, std::size_t offset) const {
 
 void Target::ask(int attachment, Rectangle area, void* into) const {
     constexpr GLenum floats[] = {GL_RED, GL_RG, GL_NONE, GL_RGBA};
-    constexpr GLenum wholes[] = {GL_RED_INTEGER, GL_RG_INTEGER, GL_NONE, GL_NONE};
+    constexpr GLenum wholes[] = {GL_RED_INTEGER, GL_NONE, GL_NONE, GL_RGBA_INTEGER};
     const Format format = texture(attachment).format();
     const auto k = std::size_t(channels(format) - 1);
     glBindFramebuffer(GL_READ_FRAMEBUFFER, name_.get());

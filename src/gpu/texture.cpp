@@ -25,8 +25,8 @@ Layout layout(Format format) {
         return {GL_RG32F, GL_RG, GL_FLOAT, 2};
     case Format::r32ui:
         return {GL_R32UI, GL_RED_INTEGER, GL_UNSIGNED_INT, 1};
-    case Format::rg32ui:
-        return {GL_RG32UI, GL_RG_INTEGER, GL_UNSIGNED_INT, 2};
+    case Format::rgba32ui:
+        return {GL_RGBA32UI, GL_RGBA_INTEGER, GL_UNSIGNED_INT, 4};
     case Format::depth16:
         return {GL_DEPTH_COMPONENT16, GL_DEPTH_COMPONENT, GL_FLOAT, 1};
     case Format::rgba32f:

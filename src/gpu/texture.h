@@ -6,7 +6,7 @@
 
 namespace isomotion::gpu {
 
-enum class Format { r32f, rg32f, rgba32f, r32ui, rg32ui, depth16 };
+enum class Format { r32f, rg32f, rgba32f, r32ui, rgba32ui, depth16 };
 
 int channels(Format format);
 /// Whether it has unsigned integers, which draws write and targets read back.

@@ -11,7 +11,7 @@ namespace {
 void add_record(const Picture& from, Picture& to) {
     for (std::size_t v = 0; v < to.verdicts.size(); ++v) to.verdicts[v] += from.verdicts[v];
     for (std::size_t k = 0; k < to.proofs.size(); ++k) to.proofs[k] += from.proofs[k];
-    to.evaluations += from.evaluations;
+    add(from.rays, to.rays);
     to.passes += from.passes;
     to.drawing += from.drawing;
 }

@@ -1,6 +1,5 @@
 // The counts for a tile's rays, as shaders/shade/record.glsl packs them: verdict and evaluations of
-// the primary ray in one word per pixel; if surfaces are kept, the evaluations of its shadow rays
-// in another.
+// the primary ray in one word per pixel; if surfaces are kept, those of further rays in three more.
 #pragma once
 
 #include <array>
@@ -10,29 +9,30 @@
 
 #include "gpu/target.h"
 #include "image/frame.h"
+#include "render/ray_counts.h"
 
 namespace isomotion::render {
 
 enum class Verdict { miss, hit, step_limit, nan, zero_gradient };
 inline constexpr std::array verdict_names{"miss", "hit", "step limit", "NaN", "zero gradient"};
 
-// Totals over the rays of a tile.
+// Totals over the rays of a tile, whose rows are counted from the bottom.
 struct Tally {
     std::array<std::int64_t, 5> verdicts{}; // by Verdict
-    std::int64_t evaluations = 0;
+    RayCounts rays{};
 
     // Number of rays that ended.
-    std::int64_t rays() const;
+    std::int64_t ended() const;
 };
 
 class Record {
 public:
     // For tiles of at most so many pixels.
     Record(int most_pixels, bool has_further_rays)
-        : words_(has_further_rays ? 2 : 1)
+        : words_(has_further_rays ? 4 : 1)
         , packed_(std::size_t(most_pixels) * words_) {}
 
-    gpu::Format format() const { return words_ == 2 ? gpu::Format::rg32ui : gpu::Format::r32ui; }
+    gpu::Format format() const { return words_ == 4 ? gpu::Format::rgba32ui : gpu::Format::r32ui; }
     // Reads that area of an attachment.
     void read(const gpu::Target& from, int attachment, const gpu::Rectangle& area);
     // The same from words in memory.
@@ -44,6 +44,9 @@ public:
     Tally tally() const;
 
 private:
+    void add_further(int row, RayCounts& to) const;
+    void place_undecided(RayCount& eye) const;
+
     std::size_t words_;
     std::vector<std::uint32_t> packed_;
     int width_ = 0, height_ = 0;

@@ -42,9 +42,14 @@ std::vector<gpu::Format> formats(const synthesis::Passes& passes, const Record& 
     return all;
 }
 
-void add(const Tally& tally, Picture& picture) {
+// `height`: of the picture, whose rows are counted from the top.
+void add(Tally tally, const gpu::Rectangle& tile, int height, Picture& picture) {
     for (std::size_t k = 0; k < 5; ++k) picture.verdicts[k] += tally.verdicts[k];
-    picture.evaluations += tally.evaluations;
+    for (RayCount& count : tally.rays) {
+        count.column += tile.x;
+        count.row = height - 1 - (tile.y + count.row);
+    }
+    add(tally.rays, picture.rays);
 }
 
 } // namespace
@@ -236,7 +241,12 @@ struct Renderer::Parts {
             }
         }
         if (clock) picture.marching = clock->take();
+        tell_drawn();
         return picture;
+    }
+
+    void tell_drawn() const {
+        if (options.progress) options.progress(1);
     }
 
     bool reads_at_once() const { return options.reads_at_once.value_or(!context.info().software); }
@@ -286,7 +296,7 @@ struct Renderer::Parts {
             several->draw(inputs, tile, result, environment ? &*environment : nullptr,
                           picture.passes);
             record.read(result, 1, table.in_targets(tile));
-            add(record.tally(), picture);
+            add(record.tally(), tile, options.height, picture);
             return nullptr;
         }
         if (one_draw) {
@@ -305,15 +315,15 @@ struct Renderer::Parts {
         table.bind_numbered("state_texture", rays);
         table.draw(table.program(Role::shade), tile, result);
         record.read(result, 1, table.in_targets(tile));
-        add(record.tally(), picture);
+        add(record.tally(), tile, options.height, picture);
         return &rays;
     }
 
     // Adds the record that was read last to the picture's, if all rays of its tile ended.
     bool take_ended(const gpu::Rectangle& tile, Picture& picture) const {
         const Tally tally = record.tally();
-        if (tally.rays() != std::int64_t(tile.width) * tile.height) return false;
-        add(tally, picture);
+        if (tally.ended() != std::int64_t(tile.width) * tile.height) return false;
+        add(tally, tile, options.height, picture);
         return true;
     }
 
@@ -441,7 +451,10 @@ struct Renderer::Parts {
             flights.give_back(std::move(*flight.pixels));
         }
         // Some ray takes longer than a draw may.
-        if (!flight.picture) flight.picture = draw(flight.inputs);
+        if (!flight.picture)
+            flight.picture = draw(flight.inputs);
+        else
+            tell_drawn();
         flight.picture->drawing = flight.begun;
         return std::move(*flight.picture);
     }
@@ -462,9 +475,9 @@ struct Renderer::Parts {
                          result.bytes_in(1, tile) / sizeof(std::uint32_t)},
                         tile.width, tile.height);
             const Tally tally = record.tally();
-            ended = tally.rays() == std::int64_t(tile.width) * tile.height;
+            ended = tally.ended() == std::int64_t(tile.width) * tile.height;
             if (!ended) return;
-            add(tally, picture);
+            add(tally, tile, options.height, picture);
             if (const auto at = endings_in(inputs)) {
                 take_endings(inputs, tile, reinterpret_cast<const float*>(begin[std::size_t(*at)]),
                              picture);
@@ -588,6 +601,11 @@ FrameInputs Renderer::prepare(const scene::Scene& scene, int frame) const {
     });
     inputs.fingerprint = parts_->fingerprint(inputs.pictures);
     return inputs;
+}
+
+std::int64_t Picture::evaluations() const {
+    const auto all = each(rays, &RayCount::evaluations);
+    return std::accumulate(all.begin(), all.end(), std::int64_t(0));
 }
 
 Picture Renderer::draw(const PictureInputs& inputs) {

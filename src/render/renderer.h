@@ -14,6 +14,7 @@
 #include "render/march_plan.h"
 #include "render/motion.h"
 #include "render/proofs.h"
+#include "render/ray_counts.h"
 #include "render/record.h"
 #include "render/stage.h"
 #include "scene/rays.h"
@@ -38,10 +39,11 @@ struct Ending {
 struct Picture {
     image::Frame frame;                     // R G B A and the requested channels; no metadata
     std::array<std::int64_t, 5> verdicts{}; // rays by Verdict
-    std::int64_t evaluations = 0;           // of the field, for all rays together
+    RayCounts rays{};                       // what each kind of ray took
     ProofCounts proofs{};                   // pixels by Proof; empty unless certified
     std::vector<Ending> endings;            // for the pixels that the inputs ask for
     int passes = 0;                         // march draws of all tiles
+    std::int64_t evaluations() const;       // of the field, for all rays together
     bool compiled = false; // a shader was compiled, the first time that one draw was not enough
     // From preparing its inputs to read-back. For a picture that was started and taken, the time of
     // these two calls alone.
@@ -81,7 +83,7 @@ struct RenderOptions {
     int threads = 0;
     // Called before each tile and between its passes; if it returns true, draw() throws Stopped.
     std::function<bool()> stop = {};
-    // Called at the same times, with the finished part of the picture in whole tiles.
+    // Called at the same times, and once a picture is drawn, with its finished part in whole tiles.
     std::function<void(double part)> progress = {};
 };
 

@@ -117,7 +117,10 @@ FrameRecord record_of(const scene::Scene& scene, int frame, const animation::Val
     record.verdicts = picture.verdicts;
     if (scene.isolation.certify) record.proofs = picture.proofs;
     record.without_colour = image::count_without_colour(picture.frame);
-    record.evaluations = picture.evaluations;
+    record.evaluations = picture.evaluations();
+    record.by_kind = render::each(picture.rays, &render::RayCount::evaluations);
+    record.most_of_a_pixel = render::each(picture.rays, &render::RayCount::most);
+    record.undecided = render::each(picture.rays, &render::RayCount::undecided);
     record.drawing = picture.drawing.count();
     return record;
 }

@@ -252,7 +252,7 @@ private:
         for (std::size_t p = 0; p < totals_.proofs.size(); ++p) {
             totals_.proofs[p] += picture.proofs[p];
         }
-        totals_.evaluations += picture.evaluations;
+        render::add(picture.rays, totals_.rays);
         const std::int64_t without_colour = image::count_without_colour(picture.frame);
         totals_.without_colour += without_colour;
         totals_.drawing += picture.drawing;
@@ -273,6 +273,15 @@ private:
             warn(fmt::format("frame {}: {} {}{} ended with the verdict {}", frame, count,
                              scene_.output.samples == 1 ? "pixel" : "ray", count == 1 ? "" : "s",
                              render::verdict_names[std::size_t(verdict)]));
+        }
+        for (const auto& [kind, what] :
+             {std::pair(render::RayKind::shadow, "shadow ray{} stayed undecided, and let light by"),
+              std::pair(render::RayKind::path, "mirrored or refracted ray{} stayed undecided")}) {
+            const render::RayCount& of = picture.rays[std::size_t(kind)];
+            if (of.undecided == 0) continue;
+            warn(fmt::format("frame {}: {} {}; one is at pixel ({}, {})", frame, of.undecided,
+                             fmt::format(fmt::runtime(what), of.undecided == 1 ? "" : "s"),
+                             of.column, of.row));
         }
     }
 

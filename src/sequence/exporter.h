@@ -58,7 +58,7 @@ struct ExportWatcher {
 struct ExportTotals {
     std::array<std::int64_t, render::verdict_names.size()> verdicts{}; // rays
     render::ProofCounts proofs{};                                      // pixels
-    std::int64_t evaluations = 0;
+    render::RayCounts rays{};
     std::int64_t without_colour = 0; // pixels whose colour is infinite or NaN
     std::chrono::duration<double> drawing{};
     audit::Findings audit;     // of the frames drawn

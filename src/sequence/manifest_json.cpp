@@ -180,6 +180,9 @@ template<class Visitor, Is<FrameRecord> R> void fields(Visitor& at, R& record) {
     at.counts("rays", record.verdicts, render::verdict_names);
     at.where_known("pixels without colour", record.without_colour);
     at("evaluations", record.evaluations);
+    at.counts("evaluations by kind", record.by_kind, render::ray_kind_names);
+    at.counts("most of a pixel", record.most_of_a_pixel, render::ray_kind_names);
+    at.counts("rays undecided", record.undecided, render::ray_kind_names);
     at("drawing seconds", record.drawing);
     at("made by", record.provenance);
     at.counts("proofs", record.proofs, render::proof_names);

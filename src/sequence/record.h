@@ -71,6 +71,10 @@ struct FrameRecord {
     std::optional<AuditCounts> audit;                                  // rays, if there was one
     std::int64_t without_colour = 0; // pixels whose colour is infinite or NaN
     std::int64_t evaluations = 0;
+    // By kind of ray: evaluations, the most of these for a pixel, rays that stayed undecided.
+    // Earlier versions recorded none.
+    using ByKind = std::array<std::int64_t, render::ray_kind_names.size()>;
+    std::optional<ByKind> by_kind, most_of_a_pixel, undecided;
     double drawing = 0; // seconds; 0 for a copy of the previous frame's picture
 };
 

@@ -149,6 +149,47 @@ void add_effects(ShaderText& text, const scene::Scene& scene, bool in_mirror) {
     text.file(sky_file(scene));
 }
 
+// further_record(): what further rays took, as shaders/shade/record.glsl packs it.
+std::string further_record(const scene::Scene& scene) {
+    const auto texel = [](const char* texture) {
+        return fmt::format("texelFetch({}, ivec2(pixel_centre), 0)", texture);
+    };
+    std::vector<std::string> shadows; // evaluations and rays undecided, as vec2
+    if (shadow_mask(scene) != 0) shadows.push_back(texel("shadow_texture") + ".zw");
+    if (mirrors_shadows(scene)) shadows.push_back(texel("mirrored_shadow_texture") + ".zw");
+    if (!is_among(scene) && shows_shadows_through_glass(scene))
+        shadows.push_back(texel("glass_shadow_texture") + ".zw");
+    if (follows_paths(scene)) shadows.push_back("unpacked_shadows(seen_in_mirror().a)");
+    std::string text;
+    const bool mirrors = scene.material.reflection == Reflection::self;
+    if (mirrors && is_among(scene) && !follows_paths(scene))
+        text += "uniform sampler2D mirrored_texture_1;\nuniform sampler2D mirrored_texture_3;\n";
+    text += "uvec3 further_record(SurfacePoint p) {\n    vec2 shadows = vec2(0.0);\n";
+    for (const std::string& each : shadows) text += fmt::format("    shadows += {};\n", each);
+    text += "    int path = 0, lost = 0;\n";
+    if (follows_paths(scene) || (has_glass(scene) && !is_among(scene))) {
+        text += "    path += load_path().evaluations;\n"
+                "    lost += int(load_path().state == PATH_LOST);\n";
+    } else if (mirrors) {
+        text += fmt::format("    if (is_on_surface(p)) {{\n        path += {};\n"
+                            "        int verdict = int({}.w) & 7;\n"
+                            "        lost += int(verdict == VERDICT_STEP_LIMIT || "
+                            "verdict == VERDICT_NAN);\n    }}\n",
+                            is_among(scene)
+                                ? fmt::format("int({}.y)", texel("mirrored_texture_3"))
+                                : fmt::format("int({}.w) >> 5", texel("mirrored_texture_1")),
+                            texel("mirrored_texture_1"));
+    }
+    // Samples of effects/occlusion.glsl; of other surfaces, surfaces/occlusion.frag takes one more,
+    // and slopes.
+    constexpr int of_own = 5, of_another = 11;
+    const int others = is_among(scene) ? scene.among.count - 1 : 0;
+    text += fmt::format("    int open = is_on_surface(p) ? {} : 0;\n",
+                        scene.occlusion ? of_own + others * of_another : 0);
+    return text +
+           "    return uvec3(uvec2(shadows.x, path), packed_further(shadows.y, lost, open));\n}\n";
+}
+
 } // namespace
 
 const char* sky_file(const scene::Scene& scene) {
@@ -237,16 +278,8 @@ void add_shading(ShaderText& text, const scene::Scene& scene) {
     if (has_glass_alone) glue += "    color = with_glass(color, ray, p);\n";
     if (scene.fog) glue += "    color = in_fog(color, p.t - ray_begin(ray));\n";
     glue += "    return color;\n}\n";
-    std::string evaluations =
-        has_shadows ? "texelFetch(shadow_texture, ivec2(gl_FragCoord.xy), 0).z" : "0.0";
-    if (mirrors_shadows(scene))
-        evaluations += " + texelFetch(mirrored_shadow_texture, ivec2(gl_FragCoord.xy), 0).z";
-    if (has_glass_alone) evaluations += " + float(load_path().evaluations)";
-    if (follows_paths(scene))
-        evaluations += " + float(load_path().evaluations) + seen_in_mirror().a";
-    if (!is_among(scene) && shows_shadows_through_glass(scene))
-        evaluations += " + texelFetch(glass_shadow_texture, ivec2(gl_FragCoord.xy), 0).z";
-    glue += fmt::format("float further_evaluations() {{\n    return {};\n}}\n", evaluations);
+    if (follows_paths(scene)) text.file("paths/packed_shadows.glsl");
+    glue += further_record(scene);
     text.generated("generated: what shines and what it passes through", glue);
 }
 

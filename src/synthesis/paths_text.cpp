@@ -160,10 +160,12 @@ Pass seen_by_paths_pass(const scene::Scene& scene, const Passes& passes) {
     add_path(text, scene);
     add_seen_shading(text, scene);
     if (painting(scene)) add_gradient(text, scene, passes);
-    text.generated("generated: evaluations of shadow rays",
-                   fmt::format("float shadow_evaluations() {{\n    return {};\n}}\n",
+    text.file("paths/packed_shadows.glsl");
+    text.generated("generated: what shadow rays took",
+                   fmt::format("float shadows_here() {{\n    return {};\n}}\n",
                                shadow_mask(scene) != 0
-                                   ? "texelFetch(shadow_texture, ivec2(pixel_centre), 0).z"
+                                   ? "packed_shadows(texelFetch(shadow_texture, "
+                                     "ivec2(pixel_centre), 0))"
                                    : "0.0"));
     text.file("paths/seen.frag");
     return std::move(text).pass(Role::seen, "seen", When::once_a_tile);

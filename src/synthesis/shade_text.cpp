@@ -244,19 +244,19 @@ Pass surface_pass(const scene::Scene& scene, const Passes& passes, Origin origin
     // Among several surfaces the first one's rays meet the ground for all.
     const bool meets_ground = scene.ground && is_first(scene);
     if (meets_ground) text.file("effects/ground.glsl");
-    text.generated(
-        "generated: the first of what there is",
-        fmt::format("void main() {{\n    Ray ray = pixel_ray();\n"
-                    "    RayState s = load_state();\n{}"
-                    "    SurfacePoint p = end_of_ray(ray, s);\n{}{}"
-                    "    {};\n{}}}\n",
-                    by_lists ? "    Ray in_beam = ray;\n    enter_beam(in_beam);\n"
-                               "    choose_list(s.low);\n"
-                             : "",
-                    meets_ground ? "    p = before_ground(ray, p);\n" : "",
-                    ends_at_bounds ? "    p = or_at_bounds(ray, p);\n" : "",
-                    is_among(scene) ? "store_nearest(ray, p, s.evaluations)" : "store_surface(p)",
-                    begins_paths ? "    store_begin(ray, begin_before());\n" : ""));
+    text.generated("generated: the first of what there is",
+                   fmt::format("void main() {{\n    Ray ray = pixel_ray();\n"
+                               "    RayState s = load_state();\n{}"
+                               "    SurfacePoint p = end_of_ray(ray, s);\n{}{}"
+                               "    {};\n{}}}\n",
+                               by_lists ? "    Ray in_beam = ray;\n    enter_beam(in_beam);\n"
+                                          "    choose_list(s.low);\n"
+                                        : "",
+                               meets_ground ? "    p = before_ground(ray, p);\n" : "",
+                               ends_at_bounds ? "    p = or_at_bounds(ray, p);\n" : "",
+                               is_among(scene) ? "store_nearest(ray, p, s.evaluations)"
+                                               : "store_surface(p, s.evaluations)",
+                               begins_paths ? "    store_begin(ray, begin_before());\n" : ""));
     switch (origin) {
     case Origin::mirror:
         return std::move(text).pass(Role::mirror_surface, "mirror surface", when);

@@ -80,7 +80,7 @@ Measurement measure(gpu::Context& context, const std::string& surface, const std
         const auto& samples = picture.frame.find("evaluations")->samples;
         found.rays = double(
             std::count_if(samples.begin(), samples.end(), [](float count) { return count > 0; }));
-        found.evaluations = double(picture.evaluations);
+        found.evaluations = double(picture.evaluations());
         found.verdicts = picture.verdicts;
     }
     render::Renderer renderer(context, scene, {size, size, {}, {}});

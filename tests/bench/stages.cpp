@@ -125,7 +125,7 @@ public:
             if (load_) load_->begin();
             draw([&](const render::Picture& picture) {
                 line.passes = picture.passes;
-                line.evaluations = double(picture.evaluations);
+                line.evaluations = double(picture.evaluations());
                 marching.push_back(1e3 * picture.marching.count());
             });
         }

@@ -33,7 +33,7 @@ struct Drawn {
     double draw() {
         const std::clock_t start = std::clock();
         const render::Picture picture = renderer.draw(inputs.pictures.front());
-        evaluations = picture.evaluations;
+        evaluations = picture.evaluations();
         return 1000.0 * double(std::clock() - start) / CLOCKS_PER_SEC;
     }
 

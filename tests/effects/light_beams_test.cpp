@@ -69,7 +69,7 @@ TEST_F(LightBeams, ChangeNoShadow) {
             const Lit lit = drawn(name, light(from), {161, 120});
             EXPECT_GT(count(lit.with, Verdict::hit), 1000);
             EXPECT_LE(different(lit), 8);
-            EXPECT_LT(lit.with.evaluations, lit.without.evaluations);
+            EXPECT_LT(lit.with.evaluations(), lit.without.evaluations());
         }
     }
 }

@@ -188,7 +188,7 @@ TEST(Shadow, OfSeveralLightsAddUp) {
         EXPECT_GT(count(all, Verdict::hit), 1000);
         int wrong = 0;
         std::int64_t evaluations = 0; // the eye's rays are in each of the three
-        for (const Picture& picture : alone) evaluations += picture.evaluations;
+        for (const Picture& picture : alone) evaluations += picture.evaluations();
         for (std::size_t k = 0; k < layer(all, "R").size(); ++k) {
             if (!is_hit(all, k)) continue;
             double sum = 0.12;
@@ -196,7 +196,7 @@ TEST(Shadow, OfSeveralLightsAddUp) {
             wrong += std::abs(layer(all, "R")[k] - sum) > 1e-5;
         }
         EXPECT_EQ(wrong, 0);
-        EXPECT_LE(all.evaluations, evaluations);
+        EXPECT_LE(all.evaluations(), evaluations);
     }
 }
 

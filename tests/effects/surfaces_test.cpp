@@ -347,7 +347,7 @@ TEST(Surfaces, SettingsChangeAlike) {
     const auto evaluations = [](Renderer& renderer, const scene::Scene& scene) {
         return renderer
             .draw(scene::in_formula_coordinates(scene::at(scene, scene.timeline.values(1))))
-            .evaluations;
+            .evaluations();
     };
     const scene::Scene fine = scene_with(0.01, 0.02), coarse = scene_with(0.04, 0.08);
     Renderer adjusted = renderer_of(fine), anew = renderer_of(coarse);

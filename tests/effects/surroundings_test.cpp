@@ -118,7 +118,7 @@ TEST_P(Surroundings, AConvexSurfaceDoesNotMirrorItself) {
     for (std::size_t pixel = 0; pixel < 65 * 65; ++pixel) {
         ASSERT_NEAR(red(sky, pixel), red(self, pixel), 1e-6) << "pixel " << pixel;
     }
-    EXPECT_GT(self.evaluations, 0);
+    EXPECT_GT(self.evaluations(), 0);
 }
 
 // The floor z = 0 beside a wall x = -1 that is lit from the front: the floor, which the light

@@ -54,14 +54,14 @@ protected:
         EXPECT_GT(count(plain, Verdict::hit), 500);
         if (context->info().software) {
             EXPECT_EQ(plain.verdicts, branching.verdicts);
-            EXPECT_EQ(plain.evaluations, branching.evaluations);
+            EXPECT_EQ(plain.evaluations(), branching.evaluations());
             EXPECT_TRUE(same_bits(plain.frame, branching.frame));
             return;
         }
         for (std::size_t k = 0; k < plain.verdicts.size(); ++k)
             EXPECT_NEAR(double(plain.verdicts[k]), double(branching.verdicts[k]), 2);
-        EXPECT_NEAR(double(plain.evaluations), double(branching.evaluations),
-                    1e-2 * double(plain.evaluations));
+        EXPECT_NEAR(double(plain.evaluations()), double(branching.evaluations()),
+                    1e-2 * double(plain.evaluations()));
     }
 };
 ISOMOTION_ON_EVERY_BACKEND(Branches);

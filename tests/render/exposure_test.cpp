@@ -75,7 +75,7 @@ TEST_P(Exposure, OneSampleIsThePictureBitForBit) {
             scene_of(flat("(y - c)^2 + x^2 + z^2 - 1", camera, "t") + "samples = 1\n");
         const Picture plain = draw(*context, scene, 3), one = exposed(scene, 3);
         EXPECT_TRUE(same_bits(plain.frame, one.frame));
-        EXPECT_EQ(plain.evaluations, one.evaluations);
+        EXPECT_EQ(plain.evaluations(), one.evaluations());
         const auto drawer = renderer(scene);
         EXPECT_EQ(drawer->prepare(scene, 3).pictures.size(), 1u);
         EXPECT_EQ(print(scene, 3), drawer->prepare(scene, 3).fingerprint);
@@ -89,7 +89,7 @@ TEST_P(Exposure, DataIsThatOfTheFirstPictureAndTheRecordThatOfAll) {
     std::int64_t rays = 0;
     for (const auto n : mean.verdicts) rays += n;
     EXPECT_EQ(rays, 7 * 32 * 32);
-    EXPECT_GT(mean.evaluations, 6 * plain.evaluations);
+    EXPECT_GT(mean.evaluations(), 6 * plain.evaluations());
     for (std::size_t c = 0; c < plain.frame.channels.size(); ++c) {
         const auto &a = plain.frame.channels[c], &b = mean.frame.channels[c];
         ASSERT_EQ(a.name, b.name);

@@ -105,7 +105,7 @@ TEST_P(Hermite, APlaneTakesFewSamples) {
             ASSERT_NEAR(at(picture, "P.X", k), x, 1e-5);
             ASSERT_EQ(at(picture, "N.X", k), 1);
         }
-        EXPECT_LE(picture.evaluations, 14 * 32 * 32);
+        EXPECT_LE(picture.evaluations(), 14 * 32 * 32);
     }
 }
 
@@ -182,7 +182,7 @@ step = 0.002
         EXPECT_EQ(missed, 0) << z;
         EXPECT_LE(different, 2) << z;
         EXPECT_GT(count(cubics, Verdict::hit), 1000);
-        EXPECT_LT(cubics.evaluations, signs.evaluations);
+        EXPECT_LT(cubics.evaluations(), signs.evaluations());
     }
 }
 
@@ -201,8 +201,8 @@ TEST_P(Hermite, TheUnitOfFDoesNotMatter) {
                 SCOPED_TRACE(fmt::format("{} times {}, beam {}", shape, factor, beam));
                 const Picture scaled = look(fmt::format("({})*{:.17g}", shape, factor), view);
                 EXPECT_EQ(scaled.verdicts, unit.verdicts);
-                EXPECT_NEAR(double(scaled.evaluations), double(unit.evaluations),
-                            1e-3 * double(unit.evaluations));
+                EXPECT_NEAR(double(scaled.evaluations()), double(unit.evaluations()),
+                            1e-3 * double(unit.evaluations()));
                 for (std::size_t k = 0; k < pixels(view); ++k) {
                     ASSERT_NEAR(at(scaled, "P.X", k), at(unit, "P.X", k), 1e-4) << k;
                 }
@@ -271,7 +271,7 @@ TEST_P(Hermite, AConstantIsAMiss) {
             const Picture picture = look(formula, {2.4, 32, beam});
             EXPECT_EQ(count(picture, Verdict::miss), 32 * 32) << formula << ", beam " << beam;
             // Nothing to look at is not looked at for long.
-            EXPECT_LE(picture.evaluations, 40 * 32 * 32) << formula;
+            EXPECT_LE(picture.evaluations(), 40 * 32 * 32) << formula;
         }
     }
 }

@@ -31,7 +31,7 @@ protected:
     static void expect_same(const Picture& a, const Picture& b) {
         EXPECT_TRUE(same_bits(a.frame, b.frame));
         EXPECT_EQ(a.verdicts, b.verdicts);
-        EXPECT_EQ(a.evaluations, b.evaluations);
+        EXPECT_EQ(a.evaluations(), b.evaluations());
     }
 };
 ISOMOTION_ON_EVERY_BACKEND(InFlight);
@@ -132,7 +132,7 @@ TEST_P(InFlight, NoneIsLeftWhereOneIsGivenUp) {
     EXPECT_THROW(renderer.start(at(scene, 2)), Stopped);
     EXPECT_EQ(renderer.in_flight(), 0);
     stopped = false;
-    EXPECT_GT(renderer.draw(at(scene, 2)).evaluations, 0);
+    EXPECT_GT(renderer.draw(at(scene, 2)).evaluations(), 0);
 }
 
 // Each renderer has textures of its own in units that another of the context may give to others.

@@ -75,7 +75,7 @@ limit = 1000000
 size = [4, 4]
 )"));
     EXPECT_EQ(count(picture, Verdict::hit), 16);
-    EXPECT_GT(picture.evaluations, 16 * 199'000);
+    EXPECT_GT(picture.evaluations(), 16 * 199'000);
 }
 
 TEST_P(LoopLimit, ASumLongerThanAShaderCanLoopIsRefused) {

@@ -55,8 +55,8 @@ void OneDraw::expect_same(const char* name) {
             EXPECT_LE(different_pixels(one, passes, "verdict", 0), 1) << told;
             EXPECT_LE(different_pixels(one, passes, "Z", 1e-4), 1) << told;
             EXPECT_LE(different_pixels(one, passes, "R", 1e-2), 3) << told;
-            EXPECT_NEAR(double(one.evaluations), double(passes.evaluations),
-                        0.01 * double(one.evaluations));
+            EXPECT_NEAR(double(one.evaluations()), double(passes.evaluations()),
+                        0.01 * double(one.evaluations()));
         }
     }
 }
@@ -84,7 +84,7 @@ TEST_P(OneDraw, TheNextFrameIsTheSameByEither) {
     EXPECT_EQ(first.passes, again.passes + 1); // the draw that did not suffice
     EXPECT_TRUE(same_bits(first.frame, again.frame));
     EXPECT_EQ(first.verdicts, again.verdicts);
-    EXPECT_EQ(first.evaluations, again.evaluations);
+    EXPECT_EQ(first.evaluations(), again.evaluations());
 }
 
 // Hardware is asked for all at once, software renderers part by part: of plain scenes with and
@@ -105,7 +105,7 @@ TEST_P(OneDraw, IsReadBackTheSameAtOnceAndInParts) {
             EXPECT_GT(count(at_once, Verdict::hit), 1000);
             EXPECT_TRUE(same_bits(at_once.frame, in_parts.frame));
             EXPECT_EQ(at_once.verdicts, in_parts.verdicts);
-            EXPECT_EQ(at_once.evaluations, in_parts.evaluations);
+            EXPECT_EQ(at_once.evaluations(), in_parts.evaluations());
         }
     }
 }

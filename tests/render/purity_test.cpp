@@ -23,7 +23,7 @@ TEST_P(Purity, TilesAndPassesChangeNoBit) {
             const Picture cut = draw(*context, scene, 31, plan);
             EXPECT_TRUE(same_bits(whole.frame, cut.frame))
                 << plan.tile_width << "x" << plan.tile_height << ", " << plan.evaluations_per_pass;
-            EXPECT_EQ(whole.evaluations, cut.evaluations);
+            EXPECT_EQ(whole.evaluations(), cut.evaluations());
         }
     }
 }
@@ -77,7 +77,7 @@ size = [104, 80]
                     const Picture after = renderer.draw(now);
                     const Picture alone = draw(*context, scene, number, plan);
                     EXPECT_TRUE(same_bits(after.frame, alone.frame));
-                    EXPECT_EQ(after.evaluations, alone.evaluations);
+                    EXPECT_EQ(after.evaluations(), alone.evaluations());
                     EXPECT_EQ(after.verdicts, alone.verdicts);
                 }
             }

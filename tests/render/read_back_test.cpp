@@ -80,8 +80,9 @@ TEST(Records, TellHowManyRaysEndedHow) {
         std::int64_t evaluations = 0;
         const auto add = [&](std::uint32_t verdict, std::uint32_t count) {
             words.push_back(verdict | count << 3);
-            if (further) words.push_back(1000);
-            evaluations += count + (further ? 1000 : 0);
+            // shadows, paths, and the rays of both that stay undecided, below samples of occlusion
+            if (further) words.insert(words.end(), {1000 + verdict, 3, 255 | 2 << 8 | 5 << 16});
+            evaluations += count;
         };
         for (std::uint32_t verdict = 0; verdict < 5; ++verdict) {
             for (int k = 0; k < of_verdict[verdict]; ++k) add(verdict, 0x1fffffff - verdict);
@@ -90,9 +91,17 @@ TEST(Records, TellHowManyRaysEndedHow) {
         add(unfinished, 0);
         record.take(words, 5, 3);
         const Tally tally = record.tally();
-        EXPECT_EQ(tally.rays(), 13);
+        EXPECT_EQ(tally.ended(), 13);
         for (std::size_t k = 0; k < 5; ++k) EXPECT_EQ(tally.verdicts[k], of_verdict[k]) << k;
-        EXPECT_EQ(tally.evaluations, evaluations);
+        const auto of = [&](RayKind kind) { return tally.rays[std::size_t(kind)]; };
+        EXPECT_EQ(of(RayKind::eye).evaluations, evaluations);
+        EXPECT_EQ(of(RayKind::eye).most, 0x1fffffff);
+        EXPECT_EQ(of(RayKind::eye).undecided, 2 + 1);
+        EXPECT_EQ(of(RayKind::shadow).most, further ? 1007 : 0);
+        EXPECT_EQ(of(RayKind::shadow).undecided, further ? 15 * 255 : 0);
+        EXPECT_EQ(of(RayKind::path).evaluations, further ? 15 * 3 : 0);
+        EXPECT_EQ(of(RayKind::path).undecided, further ? 15 * 2 : 0);
+        EXPECT_EQ(of(RayKind::occlusion).evaluations, further ? 15 * 5 : 0);
         EXPECT_EQ(record.verdict(0), 0);
         EXPECT_EQ(record.evaluations(13), 60'000);
     }

@@ -27,7 +27,7 @@ TEST_P(Resize, DrawsWhatARendererOfThatSizeDraws) {
         EXPECT_GT(count(whole, Verdict::hit), 1000) << name;
         EXPECT_TRUE(same_bits(whole.frame, tiled.frame)) << name;
         EXPECT_EQ(whole.verdicts, tiled.verdicts) << name;
-        EXPECT_EQ(whole.evaluations, tiled.evaluations) << name;
+        EXPECT_EQ(whole.evaluations(), tiled.evaluations()) << name;
     }
 }
 
@@ -48,7 +48,7 @@ TEST_P(Resize, AdjustedSettingsAreTheScenesOwn) {
     const Picture before = renderer.draw(now);
     renderer.adjust(fine.isolation);
     const Picture after = renderer.draw(now);
-    EXPECT_GT(after.evaluations, 4 * before.evaluations);
+    EXPECT_GT(after.evaluations(), 4 * before.evaluations());
     EXPECT_TRUE(same_bits(after.frame, draw(*context, fine).frame));
     scene::Isolation other = fine.isolation;
     other.method = scene::Method::marching;

@@ -65,7 +65,7 @@ TEST_P(Settled, RaysOfSmoothSheetsTakeFewSamples) {
         SCOPED_TRACE(name);
         const Pictures both = pictures(surface(name, "[512, 512]"));
         EXPECT_LE(both.of_other_verdict, 1);
-        EXPECT_LT(double(both.settled.evaluations), 0.75 * double(both.marched.evaluations));
+        EXPECT_LT(double(both.settled.evaluations()), 0.75 * double(both.marched.evaluations()));
     }
 }
 

@@ -112,7 +112,7 @@ TEST_P(SmallPicture, HasTheSameBitsAboutACorner) {
             const Picture spread = drawn(scene, size, size, true);
             EXPECT_TRUE(same_bits(whole.frame, spread.frame));
             EXPECT_EQ(whole.verdicts, spread.verdicts);
-            EXPECT_EQ(whole.evaluations, spread.evaluations);
+            EXPECT_EQ(whole.evaluations(), spread.evaluations());
             hits += count(spread, Verdict::hit);
         }
         EXPECT_GT(hits, 500);
@@ -128,7 +128,7 @@ TEST_P(SmallPicture, HasTheSameBitsInARendererOfLargerOnes) {
             const Picture whole = drawn(scene, {320, 256}, size, false);
             const Picture spread = drawn(scene, {320, 256}, size, true);
             EXPECT_TRUE(same_bits(whole.frame, spread.frame));
-            EXPECT_EQ(whole.evaluations, spread.evaluations);
+            EXPECT_EQ(whole.evaluations(), spread.evaluations());
         }
     }
 }

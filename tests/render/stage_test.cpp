@@ -53,8 +53,8 @@ protected:
         }
         EXPECT_LE(other_verdicts, 1);
         EXPECT_LE(other_depths, 1);
-        EXPECT_NEAR(double(fragment.evaluations), double(compute.evaluations),
-                    1e-2 * double(fragment.evaluations));
+        EXPECT_NEAR(double(fragment.evaluations()), double(compute.evaluations()),
+                    1e-2 * double(fragment.evaluations()));
     }
 };
 ISOMOTION_ON_EVERY_BACKEND(StageOf);
@@ -73,7 +73,7 @@ TEST_P(StageOf, ComputeShadersWithoutBeamsHitTheSame) {
         const Picture fragment = drawn(StageChoice::fragment),
                       compute = drawn(StageChoice::compute);
         EXPECT_GT(count(fragment, Verdict::hit), 0);
-        EXPECT_NE(fragment.evaluations, compute.evaluations); // beams leave less of the way
+        EXPECT_NE(fragment.evaluations(), compute.evaluations()); // beams leave less of the way
         const auto layer = [](const Picture& picture, const char* channel) {
             return std::span<const float>(picture.frame.find(channel)->samples);
         };
@@ -104,7 +104,7 @@ TEST_P(StageOf, ComputeShadersSettleBlocksOfLargePictures) {
         const double hits = double(count(fragment, Verdict::hit));
         EXPECT_GT(hits, 100'000);
         // Two or three samples a ray; without beams it is 6 to 9.
-        EXPECT_LT(double(compute.evaluations), 4.5 * hits);
+        EXPECT_LT(double(compute.evaluations()), 4.5 * hits);
         EXPECT_EQ(compute.verdicts, fragment.verdicts);
         const auto& a = fragment.frame.find("Z")->samples;
         const auto& b = compute.frame.find("Z")->samples;
@@ -178,8 +178,8 @@ TEST_P(StageOf, MovesHitsByLastBitsAtMost) {
         if (Verdict(int(a[k])) != Verdict::hit) continue;
         ASSERT_NEAR(depth[k], depth_too[k], 1e-6 * depth[k]) << "pixel " << k;
     }
-    EXPECT_NEAR(double(fragment.evaluations), double(compute.evaluations),
-                1e-3 * double(fragment.evaluations));
+    EXPECT_NEAR(double(fragment.evaluations()), double(compute.evaluations()),
+                1e-3 * double(fragment.evaluations()));
 }
 
 // Mirrored rays and shadow rays are marched by the same stage.

@@ -32,7 +32,7 @@ TEST_P(Verdicts, EveryPixelHasOneAndTheChannelAgreesWithTheCount) {
     EXPECT_EQ(counted, picture.verdicts);
     double evaluations = 0;
     for (const float e : picture.frame.find("evaluations")->samples) evaluations += e;
-    EXPECT_EQ(evaluations, double(picture.evaluations));
+    EXPECT_EQ(evaluations, double(picture.evaluations()));
 }
 
 TEST_P(Verdicts, NaNIsReportedAndPaintedMagenta) {
@@ -64,7 +64,7 @@ TEST_P(Verdicts, WhatMinAndMaxMakeOfNoValueIsPassedInFewSteps) {
         EXPECT_EQ(count(picture, Verdict::step_limit), 0);
         EXPECT_EQ(count(picture, Verdict::nan), 0);
         EXPECT_GT(count(picture, Verdict::hit), 20);
-        EXPECT_LT(double(picture.evaluations), 60.0 * 48 * 48);
+        EXPECT_LT(double(picture.evaluations()), 60.0 * 48 * 48);
     }
 }
 
@@ -82,7 +82,7 @@ TEST_P(Verdicts, WhatAParameterOf0DividesIsPassedInFewSteps) {
             fmt::format("[isolation]\nmethod = '{}'\n[parameters]\ns = ", method);
         const Picture picture = draw_formula(formula, rest + "0\n");
         EXPECT_EQ(count(picture, Verdict::miss), 48 * 48);
-        EXPECT_LT(double(picture.evaluations), 100.0 * 48 * 48);
+        EXPECT_LT(double(picture.evaluations()), 100.0 * 48 * 48);
         EXPECT_GT(count(draw_formula(formula, rest + "0.3\n"), Verdict::hit), 100);
     }
 }

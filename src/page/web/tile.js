@@ -16,7 +16,7 @@ class TileDrawer {
         this.isFused = first.table.has("fused"); // as long as every ray ended in one draw
         // Shaders that keep the ends of rays count evaluations of further rays, too.
         this.countsFurther = first.table.has("surface") && !this.isFused;
-        const formats = [gl.RGBA32F, this.countsFurther ? gl.RG32UI : gl.R32UI];
+        const formats = [gl.RGBA32F, this.countsFurther ? gl.RGBA32UI : gl.R32UI];
         this.result = first.newTarget(formats);
         this.drawsOver = this.isFused && tables.length > 1;
         if (this.drawsOver) this.prepareDrawingOver(formats);
@@ -111,11 +111,11 @@ class TileDrawer {
     // Rays by how they ended: miss, hit, step limit, NaN, zero gradient. Waits for the card.
     tally({ width, height }) {
         const { gl, result } = this;
-        const words = this.countsFurther ? 2 : 1;
+        const words = this.countsFurther ? 4 : 1;
         const record = new Uint32Array(width * height * words);
         result.bind();
         gl.readBuffer(gl.COLOR_ATTACHMENT1);
-        gl.readPixels(0, 0, width, height, words === 2 ? gl.RG_INTEGER : gl.RED_INTEGER,
+        gl.readPixels(0, 0, width, height, words === 4 ? gl.RGBA_INTEGER : gl.RED_INTEGER,
             gl.UNSIGNED_INT, record);
         gl.readBuffer(gl.COLOR_ATTACHMENT0);
         const counts = [0, 0, 0, 0, 0, 0, 0, 0];

@@ -20,7 +20,7 @@ using Clock = std::chrono::steady_clock;
 constexpr std::size_t most_renderers = 4;
 
 RayCounts counts_of(const render::Picture& picture) {
-    return {picture.verdicts, picture.evaluations, picture.drawing};
+    return {picture.verdicts, picture.evaluations(), picture.drawing};
 }
 
 // Renderers are made for one tile of so many pixels, and pictures cut into such: between two the

@@ -70,7 +70,7 @@ Count count(gpu::Context& context, const Certified& on, Known known) {
     Count found;
     for (std::size_t k = 0; k < on.frames.size(); ++k) {
         const render::Picture picture = frames.draw(k);
-        found.evaluations += double(picture.evaluations);
+        found.evaluations += double(picture.evaluations());
         found.errors.add(accuracy::compare(on.frames[k], picture.frame, on.truths[k]));
     }
     found.errors.depth.clear();

@@ -98,7 +98,7 @@ Count count(gpu::Context& context, const Certified& on, const Setting& how) {
     Count found;
     for (std::size_t k = 0; k < on.frames.size(); ++k) {
         const render::Picture picture = renderer.draw(on.frames[k]);
-        found.evaluations += double(picture.evaluations);
+        found.evaluations += double(picture.evaluations());
         found.errors.add(accuracy::compare(on.frames[k], picture.frame, on.truths[k]));
     }
     found.errors.depth.clear();
@@ -158,7 +158,7 @@ std::vector<Timing> race(gpu::Context& context, std::span<const Entrant> entrant
             // Drivers make their code at the first draw, of which no time is kept.
             for (const scene::SceneAt& now : on->frames) {
                 render::Picture picture = renderers[k]->draw(now);
-                timings[k].evaluations += double(picture.evaluations);
+                timings[k].evaluations += double(picture.evaluations());
                 round += ms(picture);
                 renderers[k]->reuse(std::move(picture));
             }

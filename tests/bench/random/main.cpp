@@ -87,7 +87,7 @@ Trial attempt(gpu::Context& context, const std::string& text, const Arguments& a
     const truth::Truth truth =
         truth::certify(scene, now, scene.output.width, scene.output.height, {});
     trial.errors = accuracy::compare(now, picture.frame, truth);
-    trial.evaluations = double(picture.evaluations);
+    trial.evaluations = double(picture.evaluations());
     return trial;
 }
 

@@ -136,17 +136,17 @@ TEST_P(DrawingTest, WholeNumbersAreClearedToo) {
 // Beside each other in one target, as what is counted of a pixel is beside its colour.
 TEST_P(DrawingTest, AttachmentsOfSeveralFormats) {
     const Program program = fullscreen_program(
-        "layout(location = 0) out vec4 a; layout(location = 1) out uvec2 b;"
+        "layout(location = 0) out vec4 a; layout(location = 1) out uvec4 b;"
         "layout(location = 2) out uint c; layout(location = 3) out float d;",
-        "a = vec4(0.1); b = uvec2(4294967295u, gl_FragCoord.x); c = 16777217u; d = 0.3;");
-    const std::array formats{Format::rgba32f, Format::rg32ui, Format::r32ui, Format::r32f};
+        "a = vec4(0.1); b = uvec4(4294967295u, gl_FragCoord.x, 3, 4); c = 16777217u; d = 0.3;");
+    const std::array formats{Format::rgba32f, Format::rgba32ui, Format::r32ui, Format::r32f};
     const Target target(3, 2, formats);
     target.bind();
     program.use();
     Fullscreen().draw();
-    std::array<std::uint32_t, 2 * 2> b{};
+    std::array<std::uint32_t, 2 * 4> b{};
     target.read(1, 1, 1, 2, 1, b);
-    EXPECT_EQ(b, (std::array<std::uint32_t, 4>{4294967295u, 1, 4294967295u, 2}));
+    EXPECT_EQ(b, (std::array<std::uint32_t, 8>{4294967295u, 1, 3, 4, 4294967295u, 2, 3, 4}));
     std::array<std::uint32_t, 6> c{};
     target.read(2, 0, 0, 3, 2, c);
     for (const std::uint32_t whole : c) EXPECT_EQ(whole, 16777217u); // no float
