@@ -191,6 +191,19 @@ struct Renderer::Parts {
 
     // ----- one picture
 
+    void draw_in_passes() {
+        if (!one_draw) return;
+        one_draw = false;
+        eye_rays.emplace(passes, plan.march);
+    }
+
+    // Whether lists of elements are so long that some ray will not end in one draw.
+    bool are_lists_long(const PictureInputs& inputs) const {
+        constexpr double hard_ray = 50; // evaluations
+        return inputs.field->grid &&
+               hard_ray * inputs.field->grid->usual_count() > 0.125 * own.plan.element_budget;
+    }
+
     void upload(const PictureInputs& inputs) {
         done = 0;
         const glm::ivec2 corner = plan.march.corner_of(options.width, options.height);
@@ -305,8 +318,7 @@ struct Renderer::Parts {
             record.read(result, 1, table.in_targets(tile));
             if (take_ended(tile, picture)) return nullptr;
             // Some ray takes longer than a draw may; others of this scene will too.
-            one_draw = false;
-            eye_rays.emplace(passes, plan.march);
+            draw_in_passes();
             picture.compiled = true;
         }
         const gpu::Target& rays =
@@ -450,11 +462,13 @@ struct Renderer::Parts {
             flight.picture = read(*flight.pixels, flight.inputs);
             flights.give_back(std::move(*flight.pixels));
         }
-        // Some ray takes longer than a draw may.
-        if (!flight.picture)
+        if (!flight.picture) {
+            draw_in_passes(); // some ray takes longer than a draw may
             flight.picture = draw(flight.inputs);
-        else
+            flight.picture->compiled = true;
+        } else {
             tell_drawn();
+        }
         flight.picture->drawing = flight.begun;
         return std::move(*flight.picture);
     }
@@ -614,6 +628,7 @@ Picture Renderer::draw(const PictureInputs& inputs) {
     const auto begin = std::chrono::steady_clock::now();
     p.context.make_current();
     p.expect_own_size(inputs);
+    if (p.are_lists_long(inputs)) p.draw_in_passes();
     Picture picture = p.draw(inputs);
     p.context.has_drawn();
     picture.drawing = inputs.preparing + (std::chrono::steady_clock::now() - begin);
@@ -632,6 +647,7 @@ void Renderer::start(PictureInputs inputs) {
     p.context.make_current();
     p.flights.guard([&] {
         p.expect_own_size(inputs);
+        if (p.are_lists_long(inputs)) p.draw_in_passes();
         if (p.overlaps() && !inputs.motion) {
             p.launch(std::move(inputs));
         } else {

@@ -200,6 +200,30 @@ TEST(Shadow, OfSeveralLightsAddUp) {
     }
 }
 
+// Along a crease, cubics doubt touches that bounds must judge. A shadow ray that forgets so stands
+// still up to its limit, and draws wait for it.
+TEST(ShadowRays, StandStillNowhere) {
+    std::int64_t most = 0;
+    for (const auto& [m, n] : {std::pair(0.4, 2.5), {0.67, 0.5}, {1.6, 0.9}}) {
+        const std::string formula =
+            fmt::format("(abs(x)^{0} + abs(y)^{0})^{1} + abs(z)^{2} - 1", m, n / m, n);
+        SCOPED_TRACE(formula);
+        const Picture picture =
+            draw(context(),
+                 scene_of(fmt::format("[surface]\nformula = '{}'\nbounds = {{ sphere = 1.8 }}\n"
+                                      "[[lights]]\ndirection = [0.3, 1, 0.4]\nshadow = true\n"
+                                      "[[lights]]\ndirection = [1, -0.1, 0.02]\nshadow = true\n"
+                                      "[camera]\nposition = [2.5, 2, 1.6]\n"
+                                      "[output]\nsize = [128, 128]\n",
+                                      formula)));
+        const RayCount shadow = picture.rays[std::size_t(RayKind::shadow)];
+        EXPECT_GT(shadow.evaluations, 0);
+        EXPECT_EQ(shadow.undecided, 0) << "at " << shadow.column << ", " << shadow.row;
+        most = std::max(most, shadow.most);
+    }
+    EXPECT_LT(most, 800); // of two rays
+}
+
 // What certified truth says of the way from a hit to the light.
 class TrueShadow {
 public:
