@@ -2,6 +2,10 @@
 // Narayanan 2010, IV-B). But where a test suspects a root although the signs at both ends agree, it
 // must still do so in half the step, down to `finest`.
 
+int most_of_a_shadow_ray() {
+    return int(limits.y);
+}
+
 const int RAY_GOES_ON = 0, RAY_IS_FREE = 1, RAY_IS_HIDDEN = 2, RAY_IS_UNDECIDED = 4;
 
 int any_hit(inout RayState s, Ray ray, float finest) {
@@ -14,8 +18,7 @@ int any_hit(inout RayState s, Ray ray, float finest) {
         return RAY_GOES_ON;
     }
     if (hidden) return RAY_IS_HIDDEN;
-    if (im_is_nan(f.x)) return RAY_IS_UNDECIDED;
-    if (s.high >= ray.t_far) return RAY_IS_FREE;
+    if (im_is_nan(f.x) || s.high >= ray.t_far) return RAY_IS_FREE;
     s.low = s.high;
     s.f_low = f;
     s.phase = PHASE_MARCH;

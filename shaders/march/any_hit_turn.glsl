@@ -3,16 +3,24 @@
 const int RAY_GOES_ON = 0, RAY_IS_FREE = 1, RAY_IS_HIDDEN = 2, RAY_IS_SOLVED = 3;
 const int RAY_IS_UNDECIDED = 4;
 
+// Steps follow F, so hundreds of them are many. Along a crease pieces of rays may stay open down to
+// the finest.
+int most_of_a_shadow_ray() {
+    return min(int(limits.y), 2000);
+}
+
 int outcome_of_end(int verdict) {
     if (verdict == VERDICT_HIT) return RAY_IS_HIDDEN;
-    return verdict == VERDICT_MISS ? RAY_IS_FREE : RAY_IS_UNDECIDED;
+    return verdict == VERDICT_STEP_LIMIT ? RAY_IS_UNDECIDED : RAY_IS_FREE;
 }
 
 int any_hit(inout RayState s, Ray ray, float finest) {
-    RayState next = turn(s, ray);
+    RayState own = s;
+    own.evaluations = 0; // counted for all lights and every method in one place
+    RayState next = turn(own, ray);
     if (next.phase == PHASE_REFINE) return RAY_IS_HIDDEN;
     if (next.phase == PHASE_DONE) return outcome_of_end(next.verdict);
-    next.evaluations = s.evaluations; // counted for every method in one place
+    next.evaluations = s.evaluations;
     s = next;
     return s.phase == PHASE_SOLVE ? RAY_IS_SOLVED : RAY_GOES_ON;
 }

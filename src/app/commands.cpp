@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <iostream>
 #include <sstream>
+#include <system_error>
 
 #include <unistd.h>
 
@@ -119,6 +120,10 @@ int run_command(int argc, char** argv) {
     } catch (const std::filesystem::filesystem_error& error) { // a path that is too long
         return report(exit_machine,
                       base::FileError(error.path1(), "cannot be reached", error.code().value()));
+    } catch (const std::system_error& error) { // no thread is to be had
+        message("{}: too little memory or too many processes (ulimit -v, ulimit -u)\n",
+                error.code().message());
+        return exit_machine;
     } catch (const sequence::MovieError& error) {
         return report(exit_machine, error);
     } catch (const gpu::ResourceError& error) {

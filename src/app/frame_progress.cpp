@@ -31,28 +31,34 @@ std::string what_costs(const scene::Scene& scene) {
     if (depth > 0) costs.push_back(fmt::format("glass {} rays deep (material.glass.depth)", depth));
     if (mirrors) costs.push_back("mirrors (material.reflection)");
     if (certifies) costs.push_back("proofs (--certify)");
+    constexpr std::size_t is_a_lot = 2000;
+    const std::size_t operations = scene.surface.field->value.instructions.size();
+    if (operations > is_a_lot)
+        costs.push_back(fmt::format("a formula of {} operations", operations));
     costs.push_back(fmt::format("{}x{} pixels (--size)", scene.output.width, scene.output.height));
     return fmt::format("{}", fmt::join(costs, ", "));
 }
 
 void Pace::note(double part, Seconds passed) {
     if (part <= part_) return;
-    if (first_ == 0) {
-        first_ = part;
-        at_first_ = passed;
+    if (compiling_ > 0) {
+        --compiling_;
+        begin_ = part;
+        at_begin_ = passed;
     }
     part_ = part;
     at_part_ = passed;
 }
 
-std::optional<Pace::Seconds> Pace::left() const {
-    if (part_ <= first_) return std::nullopt;
-    return (1 - part_) / (part_ - first_) * (at_part_ - at_first_);
+std::optional<Pace::Seconds> Pace::left(Seconds passed) const {
+    if (part_ <= begin_) return std::nullopt;
+    const Seconds at_part = (1 - part_) / (part_ - begin_) * (at_part_ - at_begin_);
+    return std::max(at_part - (passed - at_part_), Seconds(0));
 }
 
 std::optional<std::string> long_frame(int frame, Pace::Seconds passed, double part,
                                       std::optional<Pace::Seconds> left, const std::string& costs) {
-    if (passed < is_known) return std::nullopt;
+    if (passed < is_known || part >= 1) return std::nullopt;
     if (!left) {
         if (passed < is_long) return std::nullopt;
         const std::string drawn = part > 0 ? fmt::format("{:.0f} %", 100 * part) : "nothing";
@@ -77,7 +83,7 @@ void FrameProgress::show(const sequence::ExportProgress& now) {
     }
     const Pace::Seconds passed = time - begin_;
     pace_.note(now.part, passed);
-    const std::optional<Pace::Seconds> left = pace_.left();
+    const std::optional<Pace::Seconds> left = pace_.left(passed);
     if (!told_) {
         if (const auto text = long_frame(now.frame, passed, now.part, left, costs_)) {
             progress_.tell(*text);

@@ -15,19 +15,20 @@ namespace isomotion::app {
 // output.samples=1), glass 6 rays deep (material.glass.depth), 512x512 pixels (--size)".
 std::string what_costs(const scene::Scene& scene);
 
-// How long the rest of a frame will take. Its first part compiles shaders, so later ones tell the
-// pace; before the second, nobody knows it.
+// How long the rest of a frame will take, after the time `passed`. Its first two parts may compile
+// shaders, so later ones tell the pace; before the third, nobody knows it.
 class Pace {
 public:
     using Seconds = std::chrono::duration<double>;
 
     // `part` of the frame is drawn after the time `passed`. Parts rise.
     void note(double part, Seconds passed);
-    std::optional<Seconds> left() const;
+    std::optional<Seconds> left(Seconds passed) const;
 
 private:
-    double first_ = 0, part_ = 0;
-    Seconds at_first_{}, at_part_{};
+    int compiling_ = 2; // parts yet
+    double begin_ = 0, part_ = 0;
+    Seconds at_begin_{}, at_part_{};
 };
 
 // The message on a frame of which `part` is drawn after the time `passed`. It is an estimate if the

@@ -13,7 +13,7 @@ namespace isomotion::base {
 // signal. It costs a few system calls, and no child process. Only one may live at a time.
 //
 // It serves code that may crash, such as a driver that is loaded. The process cleans up nothing
-// before it ends, so no file may be half written meanwhile.
+// before it ends: files must be whole at every moment, as those that are renamed into place are.
 class LastWords {
 public:
     LastWords(std::string words, int exit_status);

@@ -80,8 +80,9 @@ MarchPlan plan_march(const formula::Cost& evaluation, int width, int height, int
     };
     plan.evaluations_per_pass =
         int(std::clamp(std::min(limits.operations / work(tile, 1), by_loops), 1.0, 60'000.0));
+    // Hard rays also take loops that no evaluation tells: where bounds judge, and past free cells.
     plan.most_evaluations_per_pass =
-        int(std::clamp(std::min(operations_of_a_ray / operations, by_loops),
+        int(std::clamp(std::min(operations_of_a_ray / operations, by_loops / 3),
                        double(plan.evaluations_per_pass), 60'000.0));
     tile = shared_tile(tile, std::min(max_tile, 512), limits,
                        [&](int side) { return work(side, plan.evaluations_per_pass); });

@@ -194,6 +194,7 @@ struct Renderer::Parts {
     void draw_in_passes() {
         if (!one_draw) return;
         one_draw = false;
+        compiles = true;
         eye_rays.emplace(passes, plan.march);
     }
 
@@ -254,6 +255,7 @@ struct Renderer::Parts {
             }
         }
         if (clock) picture.marching = clock->take();
+        picture.compiled = picture.compiled || std::exchange(compiles, false);
         tell_drawn();
         return picture;
     }
@@ -319,7 +321,6 @@ struct Renderer::Parts {
             if (take_ended(tile, picture)) return nullptr;
             // Some ray takes longer than a draw may; others of this scene will too.
             draw_in_passes();
-            picture.compiled = true;
         }
         const gpu::Target& rays =
             own.marcher.march(table, Role::march, tile, *eye_rays, result, picture.passes);
@@ -465,7 +466,6 @@ struct Renderer::Parts {
         if (!flight.picture) {
             draw_in_passes(); // some ray takes longer than a draw may
             flight.picture = draw(flight.inputs);
-            flight.picture->compiled = true;
         } else {
             tell_drawn();
         }
@@ -529,6 +529,7 @@ struct Renderer::Parts {
     std::optional<SeveralSurfaces> several;
     std::optional<FusedPass> fused; // into `result`
     bool one_draw = false;          // as long as every tile's rays ended in the fused pass
+    bool compiles = false;          // the next picture, since that is over
     std::optional<RayTargets> eye_rays;
     std::optional<SecondaryRays> secondary;
     std::optional<gpu::Texture> environment;

@@ -192,9 +192,10 @@ private:
 
     // `part` of one of the pictures that the frame is the mean of.
     void tell(double part) {
+        if (is_landing_) return; // of a frame before
         if (part < part_) ++picture_;
         part_ = part;
-        progress_.part = (picture_ + part) / scene_.output.samples;
+        progress_.part = std::min((picture_ + part) / scene_.output.samples, 1.0);
         if (watcher_.progress) watcher_.progress(progress_);
     }
 
@@ -240,7 +241,9 @@ private:
     // Takes the picture that frames wait for, if any do.
     void finish() {
         if (waiting_.empty()) return;
+        is_landing_ = true;
         picture_drawn_ = renderer_.take();
+        is_landing_ = false;
         release();
     }
 
@@ -352,8 +355,9 @@ private:
     ExportTotals totals_;
 
     ExportProgress progress_;
-    int picture_ = 0; // of the frame's
-    double part_ = 0; // of the picture
+    int picture_ = 0;         // of the frame's
+    double part_ = 0;         // of the picture
+    bool is_landing_ = false; // a frame before the one that is told of
 
     std::string drawn_; // fingerprint of the picture drawn last or on its way
     std::optional<render::Picture> picture_drawn_;

@@ -153,7 +153,7 @@ void check_size(const Passes& passes) {
         "array "
         "what repeats itself, shorten what colours the surface, or set "
         "ISOMOTION_LARGEST_SHADERS={:.0f} and wait",
-        std::ceil(size), largest, std::ceil(size)));
+        std::ceil(size), std::max(largest, usual_largest), std::ceil(size)));
 }
 
 } // namespace isomotion::synthesis

@@ -119,6 +119,9 @@ TEST_F(Effects, MapsThatAreNoneAreErrors) {
     EXPECT_NE(broken.code, 0) << broken;
     EXPECT_THAT(broken.err, HasSubstr("map.exr"));
     EXPECT_FALSE(std::filesystem::exists(*this / "frame.png"));
+    const Ending shown = run(with_scene("show", "[environment]\nmap = \"map.exr\"\n"));
+    EXPECT_NE(shown.code, 0) << shown;
+    EXPECT_THAT(shown.err, HasSubstr("map.exr"));
 }
 
 TEST_F(Effects, MistakesNameTheirKey) {

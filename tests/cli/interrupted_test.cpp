@@ -148,6 +148,22 @@ TEST_F(Interrupted, EndsWithTheSameCodeOutsideOfWork) {
     }
 }
 
+// While events are looked for, or while their pictures are drawn.
+TEST_F(Interrupted, PlotsEndWithTheSameCode) {
+    for (const int after : {400, 3000}) {
+        Circumstances circumstances = this->circumstances();
+        circumstances.interrupt_signal = SIGINT;
+        circumstances.interrupt_when = [&](milliseconds running) {
+            return running >= milliseconds(after);
+        };
+        const Ending ending = run(
+            {"topology", "blobby75", "--frames", "1-600", "--plot", "cut/a.svg"}, circumstances);
+        EXPECT_EQ(ending.code, 130) << ending;
+        EXPECT_THAT(ending.err, HasSubstr("interrupted"));
+        for (const std::string& file : present("cut")) EXPECT_THAT(file, HasSubstr(".svg"));
+    }
+}
+
 // A frame of this takes many minutes: it is given up between two of its draws.
 TEST_F(Interrupted, StopsInTheMiddleOfAFrame) {
     write("heavy.toml",

@@ -64,7 +64,8 @@ TEST_F(Sequence, PosterIsTheFrameThatTheSceneNames) {
     const Ending beyond =
         run({"render", "sphere.toml", "--set", "output.poster=61", "--frames", "poster"});
     EXPECT_EQ(beyond.code, 2) << beyond;
-    EXPECT_THAT(beyond.err, HasSubstr("output.poster: must be from 1 to 60, a frame of the scene, not 61"));
+    EXPECT_THAT(beyond.err,
+                HasSubstr("output.poster: must be from 1 to 60, a frame of the scene, not 61"));
 }
 
 TEST_F(Sequence, WithoutFfmpegNothingIsDrawn) {

@@ -95,9 +95,9 @@ private:
             // (a' - (a/b) b') / b shares the quotient with the value
             return where_bounded(id, g_.divide(g_.subtract(da, g_.multiply(id, db)), b));
         case Op::min:
-            return g_.select(a, b, da, db);
+            return g_.select(a, b, da, db, Op::min);
         case Op::max:
-            return g_.select(a, b, db, da);
+            return g_.select(a, b, db, da, Op::max);
         case Op::power:
             return where_bounded(id, power(id, a, b, da, db));
         default:

@@ -391,13 +391,13 @@ NodeId Graph::make_commutative(Op op, NodeId a, NodeId b) {
     return rank(b) < rank(a) ? make(op, b, a) : make(op, a, b);
 }
 
-NodeId Graph::select(NodeId a, NodeId b, NodeId then, NodeId otherwise) {
+NodeId Graph::select(NodeId a, NodeId b, NodeId then, NodeId otherwise, Op slope_of) {
     if (then == otherwise) return then;
     const bool is_known =
         is_constant(a) && is_constant(b) &&
         !(exactly_ && (std::isnan(nodes_[a].value) || std::isnan(nodes_[b].value)));
     if (is_known) return nodes_[a].value < nodes_[b].value ? then : otherwise;
-    Node node = leaf(Op::select);
+    Node node = leaf(Op::select, int(slope_of));
     node.arity = 4;
     node.children = {a, b, then, otherwise};
     return intern(node);

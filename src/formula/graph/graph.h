@@ -93,7 +93,8 @@ public:
 
     NodeId unary(Op op, NodeId a);
     NodeId binary(Op op, NodeId a, NodeId b);
-    NodeId select(NodeId a, NodeId b, NodeId then, NodeId otherwise);
+    // `slope_of`: min or max if it is the slope of one of a and b, which tapes ask for.
+    NodeId select(NodeId a, NodeId b, NodeId then, NodeId otherwise, Op slope_of = Op::constant);
     // The `derivative`-th derivative of the Chebyshev polynomial T_degree at a; degree >= 0.
     NodeId chebyshev(int degree, NodeId a, int derivative = 0);
     NodeId sum(int array, NodeId body);

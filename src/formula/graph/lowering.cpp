@@ -83,7 +83,7 @@ NodeId lower_one(Graph& g, const Node& node, const std::array<NodeId, 4>& childr
     case Op::which:
         return g.which(node.index, children[0]);
     case Op::select:
-        return g.select(children[0], children[1], children[2], children[3]);
+        return g.select(children[0], children[1], children[2], children[3], Op(node.index));
     default:
         break;
     }

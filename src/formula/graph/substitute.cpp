@@ -18,7 +18,7 @@ NodeId rebuild(Graph& to, const Node& node, const std::array<NodeId, 4>& childre
     case Op::element:
         return to.element(first_array + node.index, node.second);
     case Op::select:
-        return to.select(children[0], children[1], children[2], children[3]);
+        return to.select(children[0], children[1], children[2], children[3], Op(node.index));
     case Op::chebyshev:
         return to.chebyshev(node.index, children[0], node.second);
     case Op::sum:

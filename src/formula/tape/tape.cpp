@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <functional>
 #include <map>
 #include <tuple>
 
@@ -82,8 +83,7 @@ void keep_needed(std::span<const TapeStep> steps, std::span<const int> outputs,
 
 bool is_extreme(const TapeStep& step) { return step.op == Op::min || step.op == Op::max; }
 
-// Tells selects which min or max they are the slope of. Only slopes of F may need such a select,
-// and one min or max alone may compare what it compares.
+// Tells selects that are slopes of a min or max which one that is. Only slopes of F may need them.
 void link_slopes(Tape& tape, const std::vector<bool>& is_slope) {
     std::vector<bool> for_values(tape.steps.size(), false);
     for (std::size_t o = 0; o < tape.outputs.size(); ++o) {
@@ -94,29 +94,49 @@ void link_slopes(Tape& tape, const std::vector<bool>& is_slope) {
         for (std::size_t o = 0; for_values[k] && o < step.arity; ++o)
             for_values[std::size_t(step.operands[o])] = true;
     }
-    constexpr int several = -1;
-    std::map<std::pair<int, int>, int> comparing; // the step that compares two others for a value
+    std::map<std::tuple<Op, int, int>, int> extremes; // by what they compare
     for (std::size_t k = 0; k < tape.steps.size(); ++k) {
         const TapeStep& step = tape.steps[k];
-        const bool compares = is_extreme(step) || (step.op == Op::select && for_values[k]);
-        if (!compares) continue;
-        const auto [known, is_new] =
-            comparing.try_emplace({step.operands[0], step.operands[1]}, int(k));
-        if (!is_new) known->second = several;
+        if (is_extreme(step)) extremes[{step.op, step.operands[0], step.operands[1]}] = int(k);
     }
     for (std::size_t k = 0; k < tape.steps.size(); ++k) {
         TapeStep& step = tape.steps[k];
         if (step.op != Op::select || for_values[k]) continue;
-        const auto known = comparing.find({step.operands[0], step.operands[1]});
-        if (known == comparing.end() || known->second == several) continue;
-        if (is_extreme(tape.steps[std::size_t(known->second)])) step.follows = known->second;
+        const auto known = extremes.find({Op(step.index), step.operands[0], step.operands[1]});
+        if (known != extremes.end()) step.follows = known->second;
     }
+}
+
+// For each step, how many values are kept at a time until it is known, were nothing shared: the
+// operand that needs most is computed first (Sethi and Ullman 1970).
+std::vector<int> values_kept(std::span<const TapeStep> steps) {
+    std::vector<int> kept;
+    kept.reserve(steps.size());
+    for (const TapeStep& step : steps) {
+        std::array<int, 4> of{};
+        for (std::size_t o = 0; o < step.arity; ++o) of[o] = kept[std::size_t(step.operands[o])];
+        std::ranges::sort(of, std::greater<>());
+        int most = 1;
+        for (int o = 0; o < int(step.arity); ++o) most = std::max(most, of[std::size_t(o)] + o);
+        kept.push_back(most);
+    }
+    return kept;
 }
 
 // The same steps in an order that leaves few values to be kept: each value's slope next to it. What
 // a select follows comes before it.
 Tape with_slopes_next_to_values(const Tape& tape) {
     constexpr std::array<std::size_t, 4> of_select{2, 0, 3, 1}; // a slope asks for its values
+    const std::vector<int> kept = values_kept(tape.steps);
+    // The operand to be looked at as number `next`.
+    const auto operand = [&](const TapeStep& step, std::size_t next) {
+        std::array<std::size_t, 4> order{0, 1, 2, 3};
+        if (step.op == Op::select) order = of_select;
+        std::ranges::stable_sort(
+            std::span(order).first(step.arity), std::greater<>(),
+            [&](std::size_t o) { return kept[std::size_t(step.operands[o])]; });
+        return step.operands[order[next]];
+    };
     std::vector<int> place(tape.steps.size(), -1);
     Tape ordered;
     ordered.steps.reserve(tape.steps.size());
@@ -134,9 +154,9 @@ Tape with_slopes_next_to_values(const Tape& tape) {
             if (place[std::size_t(at)] >= 0) {
                 open.pop_back();
             } else if (next < step.arity) {
-                const std::size_t k = step.op == Op::select ? of_select[next] : next;
+                const int first = operand(step, next);
                 ++next;
-                open.push_back({step.operands[k], 0});
+                open.push_back({first, 0});
             } else if (step.follows >= 0 && place[std::size_t(step.follows)] < 0) {
                 open.push_back({step.follows, 0});
             } else {
@@ -236,7 +256,7 @@ std::optional<int> Specialiser::chosen(const TapeStep& step, const std::array<In
     }
     case Op::select:
         if (of[0].hi < of[1].lo) return step.operands[2];
-        if (of[0].lo >= of[1].hi || a == b) return step.operands[3];
+        if (of[0].lo >= of[1].hi) return step.operands[3];
         if (step.operands[2] == step.operands[3]) return step.operands[2];
         break;
     case Op::add:
@@ -339,7 +359,7 @@ void Specialiser::want(int step, Interval range) {
 }
 
 // The step that serves for a min, a max or a slope of these whose one side has no wanted value, or
-// the step itself.
+// the step itself. The other side has a value wherever its bounds say so.
 int Specialiser::stand_in(int step) const {
     const TapeStep& at = made_[std::size_t(step)];
     const bool chooses = is_extreme(at) || (at.op == Op::select && at.follows >= 0);
@@ -357,8 +377,12 @@ int Specialiser::stand_in(int step) const {
         if (at.op != Op::select) return at.operands[std::size_t(side)];
         return at.operands[least == (side == 0) ? 2 : 3];
     };
-    if (is_unwanted(0)) return taken(1);
-    if (is_unwanted(1)) return taken(0);
+    const auto has_value = [&](int side) {
+        const Interval value = values_[std::size_t(at.operands[std::size_t(side)])];
+        return value.lo > -infinity || value.hi < infinity;
+    };
+    if (is_unwanted(0) && has_value(1)) return taken(1);
+    if (is_unwanted(1) && has_value(0)) return taken(0);
     return step;
 }
 

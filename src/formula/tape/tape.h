@@ -25,10 +25,10 @@ namespace isomotion::formula {
 struct TapeStep {
     Op op = Op::constant; // constant, input, parameter or an operation
     std::uint8_t arity = 0;
-    bool is_exact = false;         // on intervals, where it can be: glsl/exact_results.h
-    int index = 0;                 // of an input or parameter; the degree of chebyshev
-    int second = 0;                // the derivative of chebyshev
-    int follows = -1;              // the min or max that a select is the slope of, an earlier step
+    bool is_exact = false; // on intervals, where it can be: glsl/exact_results.h
+    int index = 0;    // of an input or parameter; the degree of chebyshev; Graph::select's slope_of
+    int second = 0;   // the derivative of chebyshev
+    int follows = -1; // the min or max that a select is the slope of, an earlier step
     std::array<int, 4> operands{}; // earlier steps
     Interval value{};              // holds a constant
 };

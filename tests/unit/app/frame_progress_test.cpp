@@ -31,24 +31,28 @@ TEST(LongFrame, IsOneOfOverTenSeconds) {
     EXPECT_THAT(message(7, 36, 1e-3, 36e3), Optional(HasSubstr("what costs: size")));
 }
 
-TEST(LongFrame, HasNoEstimateBeforeItsSecondPart) {
+TEST(LongFrame, HasNoEstimateBeforeItsThirdPart) {
     EXPECT_EQ(message(3, 9, 0), std::nullopt);
     EXPECT_THAT(message(3, 11, 0), Optional(HasSubstr("nothing of it is drawn")));
     EXPECT_THAT(message(3, 11, 0.06), Optional(HasSubstr("6 % of it is drawn")));
+    EXPECT_EQ(message(3, 11, 1), std::nullopt);
 }
 
-// The first part took nine seconds more, to compile.
-TEST(Pace, IsThatOfPartsAfterTheFirst) {
+// The first two parts took longer, to compile.
+TEST(Pace, IsThatOfLaterParts) {
     Pace pace;
-    EXPECT_EQ(pace.left(), std::nullopt);
+    EXPECT_EQ(pace.left(Seconds(0)), std::nullopt);
     pace.note(0, Seconds(5));
     pace.note(0.25, Seconds(10));
-    EXPECT_EQ(pace.left(), std::nullopt);
-    pace.note(0.5, Seconds(11));
-    ASSERT_TRUE(pace.left());
-    EXPECT_NEAR(pace.left()->count(), 2, 1e-9);
-    pace.note(1, Seconds(13));
-    EXPECT_NEAR(pace.left()->count(), 0, 1e-9);
+    pace.note(0.5, Seconds(14));
+    EXPECT_EQ(pace.left(Seconds(14)), std::nullopt);
+    pace.note(0.75, Seconds(15));
+    ASSERT_TRUE(pace.left(Seconds(15)));
+    EXPECT_NEAR(pace.left(Seconds(15))->count(), 1, 1e-9);
+    EXPECT_NEAR(pace.left(Seconds(15.5))->count(), 0.5, 1e-9);
+    EXPECT_EQ(pace.left(Seconds(99))->count(), 0);
+    pace.note(1, Seconds(17));
+    EXPECT_NEAR(pace.left(Seconds(17))->count(), 0, 1e-9);
 }
 
 TEST(WhatCosts, IsWhatTheSceneAsksFor) {

@@ -7,39 +7,45 @@
 
 #include <gtest/gtest.h>
 
+#include "formula/enclosure.h"
 #include "formula/field.h"
 #include "formula/graph/operations.h"
+#include "formula/interval/interval_operations.h"
 #include "testing.h"
 
 namespace isomotion::formula {
 namespace {
 
-// Runs a tape in doubles.
-std::vector<double> run(const Tape& tape, const std::array<double, 6>& inputs) {
-    using Do = Operations<double>;
-    std::vector<double> values;
+// Runs a tape in doubles, or over a box in intervals.
+template<class Number>
+std::vector<Number> run(const Tape& tape, const std::array<Number, 6>& inputs) {
+    using Do = Operations<Number>;
+    std::vector<Number> values;
     for (const TapeStep& step : tape.steps) {
-        std::array<double, 4> of{};
+        std::array<Number, 4> of{};
         for (std::size_t k = 0; k < step.arity; ++k) of[k] = values[std::size_t(step.operands[k])];
-        const auto value = [&]() -> double {
+        const auto value = [&]() -> Number {
             switch (step.op) {
             case Op::constant:
-                return mid(step.value);
+                if constexpr (std::is_same_v<Number, double>)
+                    return mid(step.value);
+                else
+                    return step.value;
             case Op::input:
                 return inputs[std::size_t(step.index)];
             case Op::negate:
-                return -of[0];
+                return Do::negate(of[0]);
 #define CASE(name, ...)                                                                            \
     case Op::name:                                                                                 \
         return Do::name(of[0]);
                 ISOMOTION_FUNCTIONS(CASE)
 #undef CASE
             case Op::add:
-                return of[0] + of[1];
+                return Do::add(of[0], of[1]);
             case Op::subtract:
-                return of[0] - of[1];
+                return Do::subtract(of[0], of[1]);
             case Op::multiply:
-                return of[0] * of[1];
+                return Do::multiply(of[0], of[1]);
             case Op::divide:
                 return Do::divide(of[0], of[1]);
             case Op::min:
@@ -52,12 +58,12 @@ std::vector<double> run(const Tape& tape, const std::array<double, 6>& inputs) {
                 return Do::select(of[0], of[1], of[2], of[3]);
             default:
                 ADD_FAILURE() << "no operation " << int(step.op);
-                return 0;
+                return Number(0);
             }
         };
         values.push_back(value());
     }
-    std::vector<double> outputs;
+    std::vector<Number> outputs;
     for (const int output : tape.outputs) outputs.push_back(values[std::size_t(output)]);
     return outputs;
 }
@@ -94,6 +100,9 @@ const std::vector<std::string> formulas_with_choices{
     // compared twice, or for a value of another kind
     "max(x*y, z) - min(x*y, z)",
     "min(x, y)*min(x, y, z) - max(x, 0.5)",
+    "max(max(x, 0), z) + sqrt(x) - 1",
+    "max(max(1, abs(x)), z) + asin(x) - 2.5",
+    "min(y, min(log(x), 2 + x^2))",
 };
 
 // A box in another, or anywhere.
@@ -140,6 +149,36 @@ TEST(Tape, WithinABoxIsTheWholeTapesFunction) {
         }
     }
     EXPECT_GT(double(shorter), 0.5 * double(all));
+}
+
+// Enclosures tell jumps by infinite bounds, which are no values: they must not be decided away.
+TEST(Tape, KeepsWhatTellsJumps) {
+    constexpr int seed = 63;
+    Random random(seed);
+    std::array<Interval, 6> everywhere;
+    everywhere.fill({-2, 2});
+    int infinite = 0;
+    for (const char* formula : {"sign(x) + 0.5", "sign(x)*y + floor(z)", "floor(3*x)*y - z"}) {
+        const EnclosurePrograms programs = enclosure_programs(make_field(formula, {}));
+        const Tape whole =
+            tape_of(std::array<TapeSource, 3>{
+                        {{programs.value}, {programs.breaks, 0}, {programs.directional, 1, 1}}})
+                .value();
+        for (int k = 0; k < 200; ++k) {
+            const auto box = random_box(random, everywhere);
+            Tape here;
+            Specialiser()(whole, box, here);
+            const auto a = run(whole, box), b = run(here, box);
+            for (std::size_t o = 0; o < a.size(); ++o) {
+                const std::string where = std::string(formula) + ", output " + std::to_string(o) +
+                                          ", seed " + std::to_string(seed);
+                expect_same(std::max(a[o].lo, -1e300), std::max(b[o].lo, -1e300), where);
+                expect_same(std::min(a[o].hi, 1e300), std::min(b[o].hi, 1e300), where);
+                infinite += a[o].hi > 1e300;
+            }
+        }
+    }
+    EXPECT_GT(infinite, 100);
 }
 
 // However they are ordered: a minimum of minima compares far ones with far ones.
@@ -232,7 +271,7 @@ TEST(TapeCells, TellCellsWithoutRoots) {
             const auto side = [&](int i) {
                 return -1 + (at[std::size_t(i)] + (corner >> i & 1)) * 2.0 / n;
             };
-            const double f = run(whole, {side(0), side(1), side(2)})[0];
+            const double f = run(whole, std::array<double, 6>{side(0), side(1), side(2)})[0];
             ASSERT_EQ(f < 0, bool(notes & TapeCells::negative)) << k << ": " << f;
         }
     }
