@@ -154,7 +154,7 @@ def dear(rows):
 
 def plot(rows, file):
     """Seconds over pixels, a line a scene, both on logarithmic axes."""
-    width, height, margin = 640, 400, 50
+    width, height, margin = 640, 400, 60
     lines = {}
     for row in rows:
         lines.setdefault((row["scene"], row["samples"]), []).append(row)
