@@ -48,8 +48,7 @@ std::string summary(const sequence::ExportTotals& totals, Seconds wall) {
     if (totals.drawn > 0) {
         const auto& verdicts = totals.verdicts;
         const auto rays = std::accumulate(verdicts.begin(), verdicts.end(), std::int64_t(0));
-        const auto by_kind = render::each(totals.rays, &render::RayCount::evaluations);
-        const auto evaluations = std::accumulate(by_kind.begin(), by_kind.end(), std::int64_t(0));
+        const std::int64_t evaluations = render::evaluations(totals.rays);
         text += fmt::format(
             "drawn {} in {:.2f} s ({:.1f} ms each, {:.1f} evaluations a ray); all "
             "of it took {:.2f} s, {:.2f} times the drawing\n",
@@ -61,7 +60,7 @@ std::string summary(const sequence::ExportTotals& totals, Seconds wall) {
                 fmt::format("{} {} {}", v == 0 ? "" : ",", verdicts[v], render::verdict_names[v]);
         }
         text += "\n";
-        if (by_kind[std::size_t(render::RayKind::eye)] < evaluations)
+        if (totals.rays[std::size_t(render::RayKind::eye)].evaluations < evaluations)
             text += "evaluations: " + render::words(totals.rays, rays) + "\n";
         if (totals.without_colour > 0) {
             text += fmt::format("{} pixels whose colour is infinite or no number\n",

@@ -18,6 +18,12 @@ void add(const RayCounts& from, RayCounts& to) {
     }
 }
 
+std::int64_t evaluations(const RayCounts& of) {
+    std::int64_t sum = 0;
+    for (const RayCount& count : of) sum += count.evaluations;
+    return sum;
+}
+
 std::array<std::int64_t, ray_kind_names.size()> each(const RayCounts& of,
                                                      std::int64_t RayCount::*count) {
     std::array<std::int64_t, ray_kind_names.size()> numbers{};

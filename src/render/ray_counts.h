@@ -24,6 +24,9 @@ using RayCounts = std::array<RayCount, ray_kind_names.size()>; // by RayKind
 
 void add(const RayCounts& from, RayCounts& to);
 
+// Of all kinds together.
+std::int64_t evaluations(const RayCounts& of);
+
 // One of the counts, by kind.
 std::array<std::int64_t, ray_kind_names.size()> each(const RayCounts& of,
                                                      std::int64_t RayCount::*count);

@@ -9,6 +9,14 @@ std::int64_t Tally::ended() const {
     return std::accumulate(verdicts.begin(), verdicts.end(), std::int64_t(0));
 }
 
+RayCounts in_picture(RayCounts of_tile, const gpu::Rectangle& tile, int picture_height) {
+    for (RayCount& count : of_tile) {
+        count.column += tile.x;
+        count.row = picture_height - 1 - (tile.y + count.row);
+    }
+    return of_tile;
+}
+
 void Record::read(const gpu::Target& from, int attachment, const gpu::Rectangle& area) {
     width_ = area.width;
     height_ = area.height;

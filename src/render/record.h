@@ -25,6 +25,9 @@ struct Tally {
     std::int64_t ended() const;
 };
 
+// The counts of a tile, with places in its picture, whose rows are counted from the top.
+RayCounts in_picture(RayCounts of_tile, const gpu::Rectangle& tile, int picture_height);
+
 class Record {
 public:
     // For tiles of at most so many pixels.

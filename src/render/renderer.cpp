@@ -42,14 +42,9 @@ std::vector<gpu::Format> formats(const synthesis::Passes& passes, const Record& 
     return all;
 }
 
-// `height`: of the picture, whose rows are counted from the top.
-void add(Tally tally, const gpu::Rectangle& tile, int height, Picture& picture) {
+void add(const Tally& tally, const gpu::Rectangle& tile, int height, Picture& picture) {
     for (std::size_t k = 0; k < 5; ++k) picture.verdicts[k] += tally.verdicts[k];
-    for (RayCount& count : tally.rays) {
-        count.column += tile.x;
-        count.row = height - 1 - (tile.y + count.row);
-    }
-    add(tally.rays, picture.rays);
+    add(in_picture(tally.rays, tile, height), picture.rays);
 }
 
 } // namespace
@@ -198,11 +193,8 @@ struct Renderer::Parts {
         eye_rays.emplace(passes, plan.march);
     }
 
-    // Whether lists of elements are so long that some ray will not end in one draw.
-    bool are_lists_long(const PictureInputs& inputs) const {
-        constexpr double hard_ray = 50; // evaluations
-        return inputs.field->grid &&
-               hard_ray * inputs.field->grid->usual_count() > 0.125 * own.plan.element_budget;
+    void choose_draws(const PictureInputs& inputs) {
+        if (inputs.field->grid && are_lists_long(*inputs.field->grid, plan)) draw_in_passes();
     }
 
     void upload(const PictureInputs& inputs) {
@@ -294,8 +286,7 @@ struct Renderer::Parts {
                              : blocks_in_bounds(inputs.eye.frame, is_box, tile));
     }
 
-    // Draws a tile into `result`, reads its record and adds that to the picture's. Returns its
-    // rays, or null if they were not kept.
+    // Draws a tile into `result` and counts its rays. Returns these, or null if they were not kept.
     const gpu::Target* draw_tile(const PictureInputs& inputs, const gpu::Rectangle& tile,
                                  Picture& picture) {
         if (fused_surfaces) {
@@ -368,7 +359,7 @@ struct Renderer::Parts {
         fill(Channel::evaluations, [&](std::size_t k) { return record.evaluations(k); });
     }
 
-    // Proves the rays of a tile that is drawn; counts and, where wanted, keeps the outcomes.
+    // Proves the rays of a tile; counts and, where wanted, keeps the outcomes.
     void prove_tile(const PictureInputs& inputs, const gpu::Rectangle& tile, Picture& picture) {
         const bool keeps = layers.wants(Channel::proof);
         const auto size = std::size_t(tile.width) * std::size_t(tile.height) * 4;
@@ -429,8 +420,8 @@ struct Renderer::Parts {
     // ----- pictures on their way
 
     // A picture that takes one draw may be asked for before the last one is taken: it comes by way
-    // of the driver's pixel buffers, and the next is drawn meanwhile. Software renderers, which
-    // draw with the processors that read back, gain and lose nothing by it.
+    // of the driver's pixel buffers, and the next is drawn meanwhile. Software renderers gain
+    // and lose nothing by it.
     bool overlaps() const {
         return one_draw && !proofs && plan.march.holds(options.width, options.height);
     }
@@ -618,18 +609,13 @@ FrameInputs Renderer::prepare(const scene::Scene& scene, int frame) const {
     return inputs;
 }
 
-std::int64_t Picture::evaluations() const {
-    const auto all = each(rays, &RayCount::evaluations);
-    return std::accumulate(all.begin(), all.end(), std::int64_t(0));
-}
-
 Picture Renderer::draw(const PictureInputs& inputs) {
     Parts& p = *parts_;
     p.flights.expect_at_most(0);
     const auto begin = std::chrono::steady_clock::now();
     p.context.make_current();
     p.expect_own_size(inputs);
-    if (p.are_lists_long(inputs)) p.draw_in_passes();
+    p.choose_draws(inputs);
     Picture picture = p.draw(inputs);
     p.context.has_drawn();
     picture.drawing = inputs.preparing + (std::chrono::steady_clock::now() - begin);
@@ -648,7 +634,7 @@ void Renderer::start(PictureInputs inputs) {
     p.context.make_current();
     p.flights.guard([&] {
         p.expect_own_size(inputs);
-        if (p.are_lists_long(inputs)) p.draw_in_passes();
+        p.choose_draws(inputs);
         if (p.overlaps() && !inputs.motion) {
             p.launch(std::move(inputs));
         } else {

@@ -43,8 +43,9 @@ struct Picture {
     ProofCounts proofs{};                   // pixels by Proof; empty unless certified
     std::vector<Ending> endings;            // for the pixels that the inputs ask for
     int passes = 0;                         // march draws of all tiles
-    std::int64_t evaluations() const;       // of the field, for all rays together
     bool compiled = false; // a shader was compiled, the first time that one draw was not enough
+    // Of the field, for all rays together.
+    std::int64_t evaluations() const { return render::evaluations(rays); }
     // From preparing its inputs to read-back. For a picture that was started and taken, the time of
     // these two calls alone.
     std::chrono::duration<double> drawing{};

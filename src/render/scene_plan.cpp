@@ -217,6 +217,12 @@ std::vector<int> elements_by_place(const synthesis::Passes& passes) {
     return counts;
 }
 
+bool are_lists_long(const elements::ElementGrid& grid, const ScenePlan& plan) {
+    constexpr double hard_ray = 50;         // evaluations
+    constexpr double part_of_lists = 0.125; // of the budget: shaders/march/march.glsl
+    return hard_ray * grid.usual_count() > part_of_lists * plan.element_budget;
+}
+
 ScenePlan plan_scene(const scene::Scene& scene, const synthesis::Passes& passes, int width,
                      int height, int max_texture_size, const std::optional<MarchPlan>& wanted,
                      const DrawLimits& limits) {

@@ -5,6 +5,7 @@
 #include <optional>
 #include <vector>
 
+#include "elements/element_grid.h"
 #include "render/march_plan.h"
 #include "scene/scene.h"
 #include "synthesis/pass.h"
@@ -22,6 +23,9 @@ struct ScenePlan {
 // For each array the number of elements that an evaluation is assumed to sum; in the list of a
 // cell, if they are found by place.
 std::vector<int> elements_by_place(const synthesis::Passes& passes);
+
+// Whether lists are so long that some ray will not end in one draw.
+bool are_lists_long(const elements::ElementGrid& grid, const ScenePlan& plan);
 
 // `wanted` replaces the march plan made from the formula's cost. Throws std::length_error for a sum
 // too long for a shader, and for a formula that no draw can evaluate.
