@@ -29,8 +29,8 @@ std::string what_costs(const scene::Scene& scene) {
     look_at(scene);
     std::ranges::for_each(scene.others, look_at);
     if (depth > 0) costs.push_back(fmt::format("glass {} rays deep (material.glass.depth)", depth));
-    if (mirrors) costs.push_back("mirrors (material.reflection)");
-    if (certifies) costs.push_back("proofs (--certify)");
+    if (mirrors) costs.emplace_back("mirrors (material.reflection)");
+    if (certifies) costs.emplace_back("proofs (--certify)");
     constexpr std::size_t is_a_lot = 2000;
     const std::size_t operations = scene.surface.field->value.instructions.size();
     if (operations > is_a_lot)

@@ -159,7 +159,7 @@ std::string further_record(const scene::Scene& scene) {
     if (mirrors_shadows(scene)) shadows.push_back(texel("mirrored_shadow_texture") + ".zw");
     if (!is_among(scene) && shows_shadows_through_glass(scene))
         shadows.push_back(texel("glass_shadow_texture") + ".zw");
-    if (follows_paths(scene)) shadows.push_back("unpacked_shadows(seen_in_mirror().a)");
+    if (follows_paths(scene)) shadows.emplace_back("unpacked_shadows(seen_in_mirror().a)");
     std::string text;
     const bool mirrors = scene.material.reflection == Reflection::self;
     if (mirrors && is_among(scene) && !follows_paths(scene))
