@@ -1,10 +1,10 @@
-// What shadow rays took at the end of a path, in one float: evaluations, which are fewer than
-// MOST_OF_SHADOWS for 8 lights and 8 surfaces, and rays that stay undecided.
+// What shadow rays took at the end of a path, in one float: rays that stay undecided, and evaluations.
+// Only the paper's methods may take MOST_OF_SHADOWS for 8 lights and 8 surfaces; more are not counted.
 const float MOST_OF_SHADOWS = 131072.0;
 
 // `ended`: texel of their states, see effects/hidden_lights.glsl.
 float packed_shadows(vec4 ended) {
-    return ended.z + MOST_OF_SHADOWS * ended.w;
+    return min(ended.z, MOST_OF_SHADOWS - 1.0) + MOST_OF_SHADOWS * ended.w;
 }
 
 // Evaluations, and rays undecided.

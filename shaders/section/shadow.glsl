@@ -19,7 +19,8 @@ int outcome_of(RayState crossing) {
     return crossing.verdict == VERDICT_HIT ? RAY_IS_HIDDEN : RAY_IS_FREE; // NaN at a cut: no cap
 }
 
-// State of a shadow ray where its next part begins; keeps what is known of lights, and the count of evaluations.
+// State of a shadow ray where its next part begins; keeps what is known of lights, and the count of
+// evaluations.
 RayState on_part(RayState s, RayState crossing) {
     RayState fresh = state_at(crossing.low);
     fresh.verdict = s.verdict;

@@ -17,7 +17,7 @@ inline constexpr std::array<std::string_view, 4> ray_kind_names{"eye", "shadow",
 struct RayCount {
     std::int64_t evaluations = 0; // of the field
     std::int64_t most = 0;        // of these, for one pixel of one picture
-    std::int64_t undecided = 0;   // rays that reached their limit, or met NaN
+    std::int64_t undecided = 0;   // rays that reached their limit; but for shadows, also NaN
     int column = 0, row = 0;      // of one pixel with such a ray, if there is any
 };
 using RayCounts = std::array<RayCount, ray_kind_names.size()>; // by RayKind

@@ -293,7 +293,7 @@ struct Renderer::Parts {
             timed([&] { fused_surfaces->draw(inputs, tile, picture.passes); });
             record.read(result, 1, table.in_targets(tile));
             if (take_ended(tile, picture)) return nullptr;
-            // Some ray takes longer than a draw may; others of this scene will too.
+            // Some ray takes longer than a draw may.
             fused_surfaces.reset();
             several.emplace(all_surfaces());
             picture.compiled = true;
@@ -310,7 +310,7 @@ struct Renderer::Parts {
             ++picture.passes;
             record.read(result, 1, table.in_targets(tile));
             if (take_ended(tile, picture)) return nullptr;
-            // Some ray takes longer than a draw may; others of this scene will too.
+            // Some ray takes longer than a draw may.
             draw_in_passes();
         }
         const gpu::Target& rays =
