@@ -6,16 +6,12 @@
 namespace isomotion::animation {
 namespace {
 
-// A value's way to its successor's, as the coefficients of u, u^2 and u^3.
-struct Way {
-    double straight = 0, square = 0, cube = 0;
-};
-
 // The cubic with these values and these velocities at both ends, as u goes from 0 to 1.
-Way hermite(double from, double to, double from_velocity, double to_velocity) {
+double hermite(double from, double to, double from_velocity, double to_velocity, double u) {
     const double way = to - from;
-    return {from_velocity, 3 * way - 2 * from_velocity - to_velocity,
-            from_velocity + to_velocity - 2 * way};
+    const double square = 3 * way - 2 * from_velocity - to_velocity;
+    const double cube = from_velocity + to_velocity - 2 * way;
+    return from + u * (from_velocity + u * (square + u * cube));
 }
 
 } // namespace
@@ -99,13 +95,11 @@ formula::ArrayColumns<double> ElementSamples::at(double time) const {
         const double u = around.weight;
         for (std::size_t c = 0; c < reads_.size(); ++c) {
             std::vector<double>& column = moving.begin.fields[c];
-            const std::vector<double>& way = moving.way[c];
-            if (is_curved(c)) {
-                const std::vector<double>&square = moving.square[c], &cube = moving.cube[c];
-                for (std::size_t i = 0; i < column.size(); ++i)
-                    column[i] += u * (way[i] + u * (square[i] + u * cube[i]));
-            } else {
-                for (std::size_t i = 0; i < column.size(); ++i) column[i] += u * way[i];
+            const std::vector<double>& end = moving.end[c];
+            for (std::size_t i = 0; i < column.size(); ++i) {
+                column[i] = is_curved(c) ? hermite(column[i], end[i], moving.begin_velocity[c][i],
+                                                   moving.end_velocity[c][i], u)
+                                         : column[i] + u * (end[i] - column[i]);
             }
         }
         return std::move(moving.begin);
@@ -138,8 +132,7 @@ ElementSamples::Span ElementSamples::span(double time) const {
     Span span;
     span.begin.count = int(here.count);
     std::tie(span.begin_time, span.end_time) = ends(time);
-    for (std::vector<std::vector<double>>* all :
-         {&span.begin.fields, &span.way, &span.square, &span.cube})
+    for (Columns* all : {&span.begin.fields, &span.end, &span.begin_velocity, &span.end_velocity})
         all->resize(reads_.size());
     SampleSource::Sample there;
     SampleSource::Successors same(0);
@@ -150,34 +143,26 @@ ElementSamples::Span ElementSamples::span(double time) const {
     for (std::size_t c = 0; c < reads_.size(); ++c) {
         if (!reads_[c]) continue;
         span.begin.fields[c] = exact(here, c);
-        span.way[c].resize(here.count);
+        span.end[c] = span.begin.fields[c];
+        std::span<const double> leaving, arriving; // velocities
         if (is_curved(c)) {
-            span.square[c].resize(here.count);
-            span.cube[c].resize(here.count);
+            span.begin_velocity[c].resize(here.count);
+            span.end_velocity[c].resize(here.count);
+            const std::size_t velocity = *source_->velocity_of(c);
+            leaving = here.columns[velocity];
+            if (around.moves) arriving = there.columns[velocity];
         }
         if (!around.moves) continue;
-        const double factor = factors_[c];
-        const std::vector<double>& from = span.begin.fields[c];
-        if (!is_curved(c)) {
-            for (std::size_t i = 0; i < here.count; ++i) {
-                const std::uint32_t next = same.of(i);
-                if (next != SampleSource::Successors::none)
-                    span.way[c][i] = factor * there.columns[c][next] - from[i];
-            }
-            continue;
-        }
-        const std::size_t velocity = *source_->velocity_of(c);
-        const double unit = factor * around.seconds;
+        const double factor = factors_[c], unit = factor * around.seconds;
         for (std::size_t i = 0; i < here.count; ++i) {
             const std::uint32_t next = same.of(i);
-            const double begin = unit * here.columns[velocity][i];
-            Way way{begin};
-            if (next != SampleSource::Successors::none)
-                way = hermite(from[i], factor * there.columns[c][next], begin,
-                              unit * there.columns[velocity][next]);
-            span.way[c][i] = way.straight;
-            span.square[c][i] = way.square;
-            span.cube[c][i] = way.cube;
+            const bool stays = next == SampleSource::Successors::none;
+            if (!stays) span.end[c][i] = factor * there.columns[c][next];
+            if (leaving.empty()) continue;
+            const double velocity = unit * leaving[i];
+            if (stays) span.end[c][i] += velocity;
+            span.begin_velocity[c][i] = velocity;
+            span.end_velocity[c][i] = stays ? velocity : unit * arriving[next];
         }
     }
     return span;

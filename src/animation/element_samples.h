@@ -35,12 +35,14 @@ public:
     // or before `time`; at a sample's own time its values are exact.
     formula::ArrayColumns<double> at(double time) const;
 
-    // The motion of elements between two successive samples. With u from 0 to 1, a value is begin +
-    // u (way + u (square + u cube)).
+    // The motion of elements between two successive samples: the values at both of them, and for
+    // columns with is_curved() the velocities there, as changes per span. An element without a
+    // successor ends where it stays, or where its velocity takes it.
+    using Columns = std::vector<std::vector<double>>; // [column][row]
     struct Span {
         formula::ArrayColumns<double> begin;
-        std::vector<std::vector<double>> way;          // [column][row], as are the next two
-        std::vector<std::vector<double>> square, cube; // for columns with is_curved(), else empty
+        Columns end;                          // rows as in `begin`
+        Columns begin_velocity, end_velocity; // for columns with is_curved(), else empty
         double begin_time = 0, end_time = 0;
     };
     // The span around `time`; before the first sample and after the last nothing moves.

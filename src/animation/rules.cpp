@@ -38,6 +38,17 @@ NodeId between(formula::Graph& g, double from, double to, NodeId part) {
     return g.add(g.constant(from), moved);
 }
 
+NodeId smooth_step(formula::Graph& g, NodeId u) {
+    return g.multiply(g.multiply(u, u), g.subtract(g.constant(3), g.multiply(g.constant(2), u)));
+}
+
+// Hermite's basis: velocities at the ends, per span, on top of what rests there.
+NodeId hermite(formula::Graph& g, NodeId u, NodeId rest_to_rest, NodeId start, NodeId stop) {
+    const NodeId v = g.subtract(g.constant(1), u);
+    const NodeId bend = g.subtract(g.multiply(start, v), g.multiply(stop, u));
+    return g.add(rest_to_rest, g.multiply(g.multiply(u, v), bend));
+}
+
 } // namespace
 
 std::vector<Knot> knots(const Animation& animation, const Parts& parts, formula::Interval range) {
@@ -77,8 +88,7 @@ std::vector<Knot> knots(const Animation& animation, const Parts& parts, formula:
 }
 
 NodeId smooth_way(formula::Graph& g, NodeId time, double from, double to) {
-    const NodeId u = part_of_time(g, time, from, to);
-    return g.multiply(g.multiply(u, u), g.subtract(g.constant(3), g.multiply(g.constant(2), u)));
+    return smooth_step(g, part_of_time(g, time, from, to));
 }
 
 Rules::Rules(const Animation& animation, double within, formula::Graph& graph, NodeId time,
@@ -125,14 +135,14 @@ NodeId Rules::field(int a, int f) {
     const NodeId begin = graph_.constant(begin_time), end = graph_.constant(end_time);
     const NodeId weight = graph_.divide(graph_.subtract(time_, begin), graph_.subtract(end, begin));
     const int fields = index_field(a);
-    NodeId way = graph_.element(a, fields + 1 + f);
-    if (array.samples->is_curved(std::get<Column>(source).index)) {
-        const NodeId square = graph_.element(a, 2 * fields + 1 + f);
-        const NodeId cube = graph_.element(a, 3 * fields + 1 + f);
-        way = graph_.add(
-            way, graph_.multiply(weight, graph_.add(square, graph_.multiply(weight, cube))));
-    }
-    return graph_.add(listed, graph_.multiply(weight, way));
+    const NodeId stop = graph_.element(a, fields + 1 + f);
+    // A difference of elements is enclosed wherever it is evaluated, and rounded nowhere.
+    const NodeId way = graph_.subtract(stop, listed);
+    if (!array.samples->is_curved(std::get<Column>(source).index))
+        return graph_.add(listed, graph_.multiply(weight, way));
+    return hermite(graph_, weight,
+                   graph_.add(listed, graph_.multiply(smooth_step(graph_, weight), way)),
+                   graph_.element(a, 2 * fields + 1 + f), graph_.element(a, 3 * fields + 1 + f));
 }
 
 NodeId Rules::in_place(const formula::Node& node, NodeId rebuilt) {
@@ -191,12 +201,8 @@ NodeId Rules::rule(const Keys& keys) {
     if (keys.ease == Ease::linear) return at_part(u);
     const NodeId rest_to_rest = at_part(smooth_way(g, time_, a.time, b.time));
     if (keys.ease == Ease::smooth) return rest_to_rest;
-    // Hermite's basis: velocities at the ends on top of what rests there.
-    const NodeId v = g.subtract(g.constant(1), u);
-    const NodeId start = g.multiply(g.constant(keys.velocity(k)), length);
-    const NodeId stop = g.multiply(g.constant(keys.velocity(k + 1)), length);
-    const NodeId bend = g.subtract(g.multiply(start, v), g.multiply(stop, u));
-    return g.add(rest_to_rest, g.multiply(g.multiply(u, v), bend));
+    return hermite(g, u, rest_to_rest, g.multiply(g.constant(keys.velocity(k)), length),
+                   g.multiply(g.constant(keys.velocity(k + 1)), length));
 }
 
 std::vector<formula::ArrayColumns<double>> Rules::columns() const {
@@ -211,7 +217,7 @@ std::vector<formula::ArrayColumns<double>> Rules::columns() const {
         }
         const auto count = std::size_t(columns.count);
         const std::size_t fields = array.fields.size();
-        columns.fields.resize((span.square.empty() ? 2 : 4) * fields + 1);
+        columns.fields.resize((span.begin_velocity.empty() ? 2 : 4) * fields + 1);
         for (std::size_t i = 0; i < count; ++i) columns.fields[fields].push_back(double(i));
         for (std::size_t f = 0; f < fields; ++f) {
             const FieldSource& source = array.fields[f].source;
@@ -220,9 +226,9 @@ std::vector<formula::ArrayColumns<double>> Rules::columns() const {
                 columns.fields[f].resize(count);
             } else if (const auto* data = std::get_if<Column>(&source)) {
                 columns.fields[f] = span.begin.fields[data->index];
-                columns.fields[fields + 1 + f] = span.way[data->index];
-                columns.fields[2 * fields + 1 + f] = span.square[data->index];
-                columns.fields[3 * fields + 1 + f] = span.cube[data->index];
+                columns.fields[fields + 1 + f] = span.end[data->index];
+                columns.fields[2 * fields + 1 + f] = span.begin_velocity[data->index];
+                columns.fields[3 * fields + 1 + f] = span.end_velocity[data->index];
             }
         }
     }

@@ -56,7 +56,7 @@ public:
     // The replacement of a node in an expression of tracks and arrays (formula::Replacement).
     formula::NodeId in_place(const formula::Node& node, formula::NodeId rebuilt);
     // The columns that elements in the graph refer to: an array's own fields, then the index of
-    // each element and the motion of its samples (ElementSamples::Span): way, square, cube.
+    // each element, its values at the span's end and both velocities (ElementSamples::Span).
     std::vector<formula::ArrayColumns<double>> columns() const;
     // The parts that the nodes made or replaced so far depend on.
     const Parts& used() const { return used_; }
