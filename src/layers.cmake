@@ -2,10 +2,10 @@
 # that most sources include are parsed once, and the sources of a folder are compiled as one, save those
 # that have names in common in their unnamed namespaces (isomotion_alone). Without it, the sources that changed
 # are compiled alone, and one that forgets an include shows.
-if(NOT EXISTS ${CMAKE_BINARY_DIR}/precompiled.cpp)
-  file(WRITE ${CMAKE_BINARY_DIR}/precompiled.cpp "")
+if(NOT EXISTS ${PROJECT_BINARY_DIR}/precompiled.cpp)
+  file(WRITE ${PROJECT_BINARY_DIR}/precompiled.cpp "")
 endif()
-add_library(isomotion_precompiled OBJECT EXCLUDE_FROM_ALL ${CMAKE_BINARY_DIR}/precompiled.cpp)
+add_library(isomotion_precompiled OBJECT EXCLUDE_FROM_ALL ${PROJECT_BINARY_DIR}/precompiled.cpp)
 target_link_libraries(isomotion_precompiled PRIVATE isomotion_flags fmt::fmt glm::glm)
 target_precompile_headers(isomotion_precompiled PRIVATE
   <algorithm> <array> <cmath> <filesystem> <functional> <map> <memory> <mutex> <optional> <set> <span> <stdexcept>
@@ -27,7 +27,7 @@ target_precompile_headers(isomotion_precompiled PRIVATE
 function(isomotion_library folder)
   cmake_parse_arguments(LIBRARY "INNER_LOOPS" "" "SOURCES;LINKS;PRIVATE_LINKS;BUILD_LINKS;ROOMS" ${ARGN})
   string(REPLACE "/" "_" name ${folder})
-  set(view ${CMAKE_BINARY_DIR}/include/${name})
+  set(view ${PROJECT_BINARY_DIR}/include/${name})
   file(REMOVE_RECURSE ${view})
   foreach(room "" ${LIBRARY_ROOMS})
     set(part ${folder})
@@ -35,7 +35,7 @@ function(isomotion_library folder)
       set(part ${folder}/${room})
     endif()
     file(MAKE_DIRECTORY ${view}/${part})
-    file(GLOB headers CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/src/${part}/*.h)
+    file(GLOB headers CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/src/${part}/*.h)
     foreach(header ${headers})
       get_filename_component(leaf ${header} NAME)
       file(CREATE_LINK ${header} ${view}/${part}/${leaf} SYMBOLIC)

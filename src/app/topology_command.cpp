@@ -295,14 +295,14 @@ int contacts_of(const TopologyArguments& arguments, const scene::Scene& scene) {
                                   scene.timeline.time(frames.second)};
     for (int first = 0; first < count; ++first) {
         for (int second = first + 1; second < count; ++second)
-            header_of(pair_of(scene, first, second), range);
+            header_of(topology::pair_of(scene, first, second), range);
     }
     const std::vector<SolidChoice> choices = parse_solids(arguments.solids, scene);
     const StopOnSignal stop;
     bool is_complete = true;
     for (int first = 0; first < count && !stop.asked(); ++first) {
         for (int second = first + 1; second < count && !stop.asked(); ++second) {
-            const Subject subject = pair_of(scene, first, second);
+            const Subject subject = topology::pair_of(scene, first, second);
             const auto solids = solids_of(subject, choices);
             const topology::TimelineRecord record =
                 analysed(arguments, subject, solids, frames, stop);

@@ -10,13 +10,6 @@
 
 namespace isomotion::app {
 
-Subject pair_of(const scene::Scene& scene, int first, int second) {
-    const std::vector<std::string> names = scene::surface_names(scene);
-    return {scene::alone(scene, first), scene::alone(scene, second),
-            fmt::format("{} ({}, {})", scene.title, names[std::size_t(first)],
-                        names[std::size_t(second)])};
-}
-
 Subject subject_of(const scene::Scene& scene, const std::string& surface,
                    const std::vector<std::string>& contact) {
     if (!contact.empty()) {
@@ -26,22 +19,11 @@ Subject subject_of(const scene::Scene& scene, const std::string& surface,
             throw std::invalid_argument(
                 fmt::format("--contact {0} {0}: name two surfaces of the scene", contact[0]));
         }
-        return pair_of(scene, first, second);
+        return topology::pair_of(scene, first, second);
     }
     if (surface.empty()) return {scene, {}, scene.title};
     scene::Scene one = scene::alone(scene, scene::surface_named(scene, surface, "--surface"));
     return {one, {}, one.title};
-}
-
-topology::TimelineHeader header_of(const Subject& subject, formula::Interval range) {
-    return subject.second
-               ? topology::header_of_contact(subject.first, *subject.second, subject.title, range)
-               : topology::header_of(subject.first, range);
-}
-
-topology::Timeline analyse(const Subject& subject, const topology::AnalyseOptions& how) {
-    return subject.second ? topology::analyse_contact(subject.first, *subject.second, how)
-                          : topology::analyse(subject.first, how);
 }
 
 std::vector<SolidChoice> parse_solids(const std::vector<std::string>& texts,

@@ -28,10 +28,9 @@ set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_NAME libisomotion-dev)
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SECTION libdevel)
 set(CPACK_COMPONENT_DEVELOPMENT_DESCRIPTION
 "implicit surfaces that move, for C++ programs
-Formulas as expression graphs, animations, scene files, frames drawn with
-OpenGL, certified first roots of rays and proved topology events: the
-libraries that isomotion is made of, their headers, and the configuration by
-which CMake's find_package(isomotion) finds them.")
+Formulas, scene files, frames drawn with OpenGL, sequences, certified first
+roots of rays and proved topology events: the library, its one header, and the
+configuration by which CMake's find_package(isomotion) finds them.")
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS
     "isomotion (= ${PROJECT_VERSION}), libfmt-dev, libglm-dev, libtomlplusplus-dev, libflint-dev, libflint-arb-dev, libglfw3-dev, libxxhash-dev, zlib1g-dev, pkg-config")
 include(CPack)

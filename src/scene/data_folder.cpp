@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <mutex>
 
 #include <fmt/format.h>
 
@@ -22,6 +23,28 @@ bool holds_data(const fs::path& folder, std::error_code& error) {
 bool holds_data(const fs::path& folder) {
     std::error_code ignored;
     return holds_data(folder, ignored);
+}
+
+// Set before main(), by programs of others, and read by any thread.
+class NamedFolder {
+public:
+    fs::path get() const {
+        const std::lock_guard lock(mutex_);
+        return folder_;
+    }
+    void set(const fs::path& folder) {
+        const std::lock_guard lock(mutex_);
+        folder_ = folder;
+    }
+
+private:
+    mutable std::mutex mutex_;
+    fs::path folder_;
+};
+
+NamedFolder& named_folder() {
+    static NamedFolder folder;
+    return folder;
 }
 
 std::vector<std::string> toml_names(const fs::path& folder) {
@@ -53,11 +76,15 @@ fs::path data_folder() {
         if (holds_data(up / "share" / "isomotion")) return up / "share" / "isomotion";
         if (holds_data(up)) return up;
     }
-    if (holds_data(ISOMOTION_INSTALLED_DATA)) return ISOMOTION_INSTALLED_DATA;
+    for (const fs::path& known : {named_folder().get(), fs::path(ISOMOTION_INSTALLED_DATA)}) {
+        if (holds_data(known)) return known;
+    }
     throw SceneError(fmt::format("the program's shaders/ and animations/ are not to be found above "
                                  "{}; set ISOMOTION_DATA to the folder that holds them",
                                  program.string()));
 }
+
+void set_data_folder(const fs::path& folder) { named_folder().set(folder); }
 
 std::vector<std::string> animation_names() { return toml_names(data_folder() / "animations"); }
 std::vector<std::string> surface_names() {

@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "image/rgba8.h"
 #include "image/srgb.h"
 
 namespace isomotion::player {
@@ -108,22 +109,7 @@ std::vector<synthesis::Channel> channels_of(View view) {
     return {};
 }
 
-Raster shaded(const Frame& frame) {
-    const image::ColourPlanes planes = image::colour_planes(frame);
-    const image::Srgb8& srgb = image::srgb8();
-    Raster raster = raster_for(frame);
-    std::uint8_t* out = raster.rgba.data();
-    for (std::size_t i = 0, count = area(frame); i < count; ++i, out += 4) {
-        const float coverage = planes.coverage ? std::min(planes.coverage[i], 1.0f) : 1.0f;
-        out[3] = image::quantised<std::uint8_t>(coverage);
-        if (!(coverage > 0.0f)) continue; // no colour, which is 0
-        const float scale = 1.0f / coverage;
-        out[0] = srgb.code(planes.red[i] * scale);
-        out[1] = srgb.code(planes.green[i] * scale);
-        out[2] = srgb.code(planes.blue[i] * scale);
-    }
-    return raster;
-}
+Raster shaded(const Frame& frame) { return {frame.width, frame.height, image::rgba8(frame)}; }
 
 Raster depth(const Frame& frame) {
     const float* depths = samples(frame, "Z");

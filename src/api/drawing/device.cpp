@@ -1,0 +1,39 @@
+#include <fmt/format.h>
+
+#include "api/drawing/errors.h"
+#include "api/drawing/parts.h"
+
+namespace isomotion {
+namespace {
+
+gpu::Backend backend_of(Device::Kind kind) {
+    switch (kind) {
+    case Device::Kind::automatic:
+        break;
+    case Device::Kind::egl:
+        return gpu::Backend::egl;
+    case Device::Kind::osmesa:
+        return gpu::Backend::osmesa;
+    case Device::Kind::window:
+        return gpu::Backend::glfw;
+    }
+    return gpu::Backend::automatic;
+}
+
+} // namespace
+
+Device::Device(Kind kind) {
+    parts_ = api::with_drawing_errors(
+        [&] { return std::make_unique<Parts>(Parts{gpu::Context::create(backend_of(kind))}); });
+}
+
+Device::Device(Device&&) noexcept = default;
+Device& Device::operator=(Device&&) noexcept = default;
+Device::~Device() = default;
+
+std::string Device::name() const {
+    const gpu::ContextInfo& info = parts_->context->info();
+    return fmt::format("{}, {} ({})", info.renderer, info.version, info.backend);
+}
+
+} // namespace isomotion

@@ -1,0 +1,83 @@
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "api/drawing/errors.h"
+#include "api/drawing/parts.h"
+#include "base/file.h"
+#include "image/encode.h"
+#include "image/pixel_hash.h"
+#include "image/rgba8.h"
+
+namespace isomotion {
+
+const Picture::Plane* Picture::find(std::string_view name) const {
+    const auto found = std::ranges::find(planes, name, &Plane::name);
+    return found == planes.end() ? nullptr : &*found;
+}
+
+std::vector<std::uint8_t> Picture::rgba8() const {
+    return api::with_drawing_errors([&] { return image::rgba8(api::frame_of(*this)); });
+}
+
+std::string Picture::fingerprint() const {
+    image::PixelHash hash(width, height);
+    for (const Plane& plane : planes) hash.add_channel(plane.name, plane.values, 0, 1);
+    return hash.text();
+}
+
+void Picture::write(const std::filesystem::path& file) const {
+    api::with_drawing_errors([&] {
+        base::write_whole(file, image::encode(api::frame_of(*this), image::format_of(file)));
+    });
+}
+
+namespace api {
+
+Picture picture_of(render::Picture drawn) {
+    using render::Verdict;
+    Picture picture;
+    picture.width = drawn.frame.width;
+    picture.height = drawn.frame.height;
+    for (image::Channel& channel : drawn.frame.channels)
+        picture.planes.push_back({std::move(channel.name), std::move(channel.samples)});
+    const auto rays = [&](Verdict verdict) { return drawn.verdicts[std::size_t(verdict)]; };
+    picture.misses = rays(Verdict::miss);
+    picture.hits = rays(Verdict::hit);
+    picture.step_limits = rays(Verdict::step_limit);
+    picture.not_numbers = rays(Verdict::nan);
+    picture.zero_gradients = rays(Verdict::zero_gradient);
+    picture.evaluations = drawn.evaluations();
+    picture.seconds = drawn.drawing.count();
+    return picture;
+}
+
+image::Frame frame_of(const Picture& picture) {
+    image::Frame frame{picture.width, picture.height, {}, {}};
+    for (const Picture::Plane& plane : picture.planes)
+        frame.channels.push_back({plane.name, plane.values});
+    image::check(frame);
+    return frame;
+}
+
+std::vector<synthesis::Channel> channels_of(const std::vector<std::string>& names) {
+    std::vector<synthesis::Channel> channels;
+    for (const std::string& name : names) {
+        const auto channel = synthesis::parse_channel(name);
+        if (!channel) {
+            std::vector<std::string_view> known;
+            for (const auto& entry : synthesis::channel_names()) known.push_back(entry.name);
+            throw Error(Error::Code::input, fmt::format("there is no channel '{}'; known: {}", name,
+                                                        fmt::join(known, ", ")));
+        }
+        channels.push_back(*channel);
+    }
+    // One order, whatever the caller's: it decides the shaders' text.
+    std::ranges::sort(channels);
+    const auto twice = std::ranges::unique(channels);
+    channels.erase(twice.begin(), twice.end());
+    return channels;
+}
+
+} // namespace api
+} // namespace isomotion

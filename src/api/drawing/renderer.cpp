@@ -1,0 +1,54 @@
+#include "api/drawing/errors.h"
+#include "api/drawing/parts.h"
+#include "api/scene/parts.h"
+#include "render/exposure.h"
+#include "scene/limits.h"
+
+namespace isomotion {
+
+struct Renderer::Parts {
+    Scene scene;
+    render::Renderer renderer;
+};
+
+namespace {
+
+render::RenderOptions options_of(const scene::Scene& scene, const RenderSettings& settings,
+                                 const Watcher& watcher) {
+    render::RenderOptions options;
+    options.width = settings.width > 0 ? settings.width : scene.output.width;
+    options.height = settings.height > 0 ? settings.height : scene.output.height;
+    if (std::max(options.width, options.height) > scene::limits::picture_side)
+        throw Error(Error::Code::limit, "a picture has at most 16384 pixels a side");
+    options.channels = api::channels_of(settings.channels);
+    options.stop = watcher.stop;
+    options.warn = watcher.warn;
+    if (watcher.progress)
+        options.progress = [tell = watcher.progress](double part) { tell("drawing", part); };
+    return options;
+}
+
+} // namespace
+
+Renderer::Renderer(Device& device, const Scene& scene, const RenderSettings& settings,
+                   Watcher watcher) {
+    parts_ = api::with_drawing_errors([&] {
+        const scene::Scene& all = scene.parts().scene;
+        return std::unique_ptr<Parts>(
+            new Parts{scene, render::Renderer(*device.parts().context, all,
+                                              options_of(all, settings, watcher))});
+    });
+}
+
+Renderer::Renderer(Renderer&&) noexcept = default;
+Renderer& Renderer::operator=(Renderer&&) noexcept = default;
+Renderer::~Renderer() = default;
+
+Picture Renderer::draw(int frame) {
+    return api::with_drawing_errors([&] {
+        return api::picture_of(
+            render::expose(parts_->renderer, parts_->scene.parts().scene, frame));
+    });
+}
+
+} // namespace isomotion

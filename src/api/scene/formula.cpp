@@ -1,0 +1,114 @@
+#include <fmt/format.h>
+
+#include "api/scene/errors.h"
+#include "formula/enclosure.h"
+#include "formula/field.h"
+
+namespace isomotion {
+namespace {
+
+using api::with_errors;
+
+formula::Field field_of(std::string_view text, const std::map<std::string, double>& parameters) {
+    formula::Vocabulary vocabulary;
+    for (const auto& [name, value] : parameters) {
+        if (!formula::is_identifier(name) || formula::is_reserved(name)) {
+            throw Error(Error::Code::input,
+                        fmt::format("'{}' cannot be the name of a parameter", name));
+        }
+        vocabulary.parameters.push_back(name);
+    }
+    return formula::make_field(text, vocabulary);
+}
+
+} // namespace
+
+// Programs are shared by copies with other values.
+struct Formula::Parts {
+    struct Programs {
+        formula::Field field;
+        formula::Program enclosure;
+    };
+    std::shared_ptr<const Programs> programs;
+    std::map<std::string, double> parameters;
+    formula::Bindings<double> bindings{};
+
+    Parts(std::shared_ptr<const Programs> made, std::map<std::string, double> values)
+        : programs(std::move(made))
+        , parameters(std::move(values)) {
+        for (const auto& [name, value] : parameters) bindings.parameters.push_back(value);
+    }
+};
+
+Formula::Formula(std::string_view text, std::map<std::string, double> parameters) {
+    parts_ = with_errors([&] {
+        formula::Field field = field_of(text, parameters);
+        formula::Program enclosure = formula::value_enclosure(field);
+        auto programs = std::make_shared<const Parts::Programs>(
+            Parts::Programs{std::move(field), std::move(enclosure)});
+        return std::make_shared<const Parts>(std::move(programs), std::move(parameters));
+    });
+}
+
+Formula Formula::with(const std::string& parameter, double value) const {
+    std::map<std::string, double> parameters = parts_->parameters;
+    const auto found = parameters.find(parameter);
+    if (found == parameters.end()) {
+        throw Error(Error::Code::input,
+                    fmt::format("the formula has no parameter '{}'", parameter));
+    }
+    found->second = value;
+    Formula changed = *this;
+    changed.parts_ = std::make_shared<const Parts>(parts_->programs, std::move(parameters));
+    return changed;
+}
+
+const std::map<std::string, double>& Formula::parameters() const { return parts_->parameters; }
+
+double Formula::value(const Point& at) const { return values(std::span(&at, 1)).front(); }
+
+Point Formula::gradient(const Point& at) const {
+    return with_errors([&] {
+        Point gradient{};
+        formula::Evaluator<double>(parts_->programs->field.gradient)
+            .point(parts_->bindings, at, gradient);
+        return gradient;
+    });
+}
+
+std::vector<double> Formula::values(std::span<const Point> at) const {
+    return with_errors([&] {
+        std::array<std::vector<double>, 3> coordinates;
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            coordinates[axis].reserve(at.size());
+            for (const Point& point : at) coordinates[axis].push_back(point[axis]);
+        }
+        std::vector<double> values(at.size());
+        const std::array<std::span<const double>, 3> inputs{coordinates[0], coordinates[1],
+                                                            coordinates[2]};
+        const std::array<std::span<double>, 1> outputs{values};
+        formula::Evaluator<double>(parts_->programs->field.value)
+            .points(parts_->bindings, inputs, outputs);
+        return values;
+    });
+}
+
+Interval Formula::bound(const Box& box) const {
+    return with_errors([&] {
+        std::array<formula::Interval, 3> sides;
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            const auto [low, high] = box[axis];
+            if (!(low <= high) || low == formula::infinity || high == -formula::infinity) {
+                throw Error(Error::Code::input,
+                            fmt::format("the box has an empty side, from {} to {}", low, high));
+            }
+            sides[axis] = formula::Interval(low, high);
+        }
+        formula::Interval value;
+        formula::Evaluator<formula::Interval>(parts_->programs->enclosure)
+            .point(formula::convert<formula::Interval>(parts_->bindings), sides, {&value, 1});
+        return Interval{value.lo, value.hi};
+    });
+}
+
+} // namespace isomotion

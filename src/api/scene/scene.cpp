@@ -1,0 +1,97 @@
+#include <fmt/format.h>
+
+#include "api/scene/errors.h"
+#include "api/scene/parts.h"
+#include "scene/data_folder.h"
+#include "scene/files_read.h"
+#include "scene/reading/load.h"
+#include "scene/surfaces.h"
+
+namespace isomotion {
+namespace fs = std::filesystem;
+namespace {
+
+using api::with_errors;
+
+Scene loaded(Scene::Parts parts) {
+    return with_errors([&] {
+        const auto reach =
+            parts.reach == Reach::anywhere ? scene::Reach::anywhere : scene::Reach::own_folder;
+        parts.scene = parts.folder ? scene::load_text(parts.source, *parts.folder / "scene.toml",
+                                                      parts.settings, reach)
+                                   : scene::load(parts.source, parts.settings, reach);
+        return Scene(std::make_shared<const Scene::Parts>(std::move(parts)));
+    });
+}
+
+// The one that is named, or the only one.
+const scene::Scene& surface_of(const scene::Scene& scene, const std::string& name) {
+    if (name.empty() && scene.others.empty()) return scene;
+    const int index = scene::surface_named(scene, name, "surface");
+    return index == 0 ? scene : scene.others[std::size_t(index - 1)];
+}
+
+} // namespace
+
+void set_data_folder(const fs::path& folder) { scene::set_data_folder(folder); }
+
+std::vector<std::string> animations() {
+    return with_errors([] { return scene::animation_names(); });
+}
+
+Scene::Scene(std::shared_ptr<const Parts> parts)
+    : parts_(std::move(parts)) {}
+
+Scene Scene::load(const std::string& name, const std::vector<std::string>& settings, Reach reach) {
+    return loaded({{}, name, std::nullopt, settings, reach});
+}
+
+Scene Scene::parse(std::string_view text, const std::vector<std::string>& settings,
+                   const fs::path& folder, Reach reach) {
+    return loaded({{}, std::string(text), folder, settings, reach});
+}
+
+Scene Scene::with(const std::string& key, const std::string& value) const {
+    Parts changed{{}, parts_->source, parts_->folder, parts_->settings, parts_->reach};
+    changed.settings.push_back(key + "=" + value);
+    return loaded(std::move(changed));
+}
+
+Scene Scene::with(const std::string& key, double value) const {
+    return with(key, fmt::format("{}", value));
+}
+
+const std::string& Scene::title() const { return parts_->scene.title; }
+
+std::vector<fs::path> Scene::files() const {
+    std::vector<fs::path> files = scene::files_read(parts_->scene);
+    if (parts_->folder) std::erase(files, parts_->scene.file); // it was a text
+    return files;
+}
+
+int Scene::frames() const { return parts_->scene.timeline.frames; }
+
+double Scene::frames_per_second() const {
+    const animation::FrameRate fps = parts_->scene.timeline.fps;
+    return double(fps.numerator) / double(fps.denominator);
+}
+
+double Scene::time(int frame) const { return parts_->scene.timeline.time(frame); }
+int Scene::poster() const { return parts_->scene.output.poster; }
+int Scene::width() const { return parts_->scene.output.width; }
+int Scene::height() const { return parts_->scene.output.height; }
+std::vector<std::string> Scene::surfaces() const { return scene::surface_names(parts_->scene); }
+
+std::map<std::string, double> Scene::parameters(int frame, const std::string& surface) const {
+    return with_errors([&] {
+        const scene::Scene& one = surface_of(parts_->scene, surface);
+        const animation::Values values = one.timeline.values(frame);
+        const auto& tracks = one.timeline.animation.tracks();
+        std::map<std::string, double> parameters;
+        for (std::size_t k = 0; k < one.timeline.animation.nameable(); ++k)
+            parameters[tracks[k].name] = values.tracks[k];
+        return parameters;
+    });
+}
+
+} // namespace isomotion

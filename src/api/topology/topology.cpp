@@ -1,0 +1,115 @@
+#include <fmt/format.h>
+
+#include "api/scene/errors.h"
+#include "api/scene/parts.h"
+#include "scene/surfaces.h"
+#include "topology/subject.h"
+#include "topology/timeline/summary.h"
+#include "topology/timeline/timeline_file.h"
+#include "topology/timeline/words.h"
+
+namespace isomotion {
+namespace {
+
+topology::Subject subject_of(const scene::Scene& scene, const TopologySettings& settings) {
+    if (scene.others.empty() && settings.surface.empty() && settings.touching.empty())
+        return {scene, {}, scene.title};
+    const int first = scene::surface_named(scene, settings.surface, "surface");
+    if (settings.touching.empty()) {
+        scene::Scene one = scene::alone(scene, first);
+        return {one, {}, one.title};
+    }
+    const int second = scene::surface_named(scene, settings.touching, "touching");
+    if (first == second)
+        throw Error(Error::Code::input, "a surface touches another one: name two of the scene");
+    return topology::pair_of(scene, first, second);
+}
+
+topology::Certify certify_of(TopologySettings::Certify certify) {
+    switch (certify) {
+    case TopologySettings::Certify::off:
+        return topology::Certify::off;
+    case TopologySettings::Certify::fast:
+        return topology::Certify::fast;
+    case TopologySettings::Certify::full:
+        break;
+    }
+    return topology::Certify::full;
+}
+
+topology::AnalyseOptions options_of(const topology::Subject& subject,
+                                    const TopologySettings& settings, const Watcher& watcher) {
+    topology::AnalyseOptions how;
+    how.certify = certify_of(settings.certify);
+    how.first = settings.first;
+    how.last = settings.last > 0 ? settings.last : subject.first.timeline.frames;
+    how.threads = settings.threads;
+    if (!(1 <= how.first && how.first < how.last)) {
+        throw Error(Error::Code::input,
+                    fmt::format("frames {} to {}: a timeline needs two frames, counted from 1",
+                                how.first, how.last));
+    }
+    const auto solid = [&](const scene::Scene& scene) {
+        if (!settings.solid_is_negative) return topology::solid_side(scene);
+        return *settings.solid_is_negative ? topology::Side::negative : topology::Side::positive;
+    };
+    how.solids[0] = solid(subject.first);
+    how.solids[1] = subject.second ? solid(*subject.second) : how.solids[0];
+    how.stop = watcher.stop;
+    how.progress = watcher.progress;
+    return how;
+}
+
+topology::TimelineRecord record_of(const topology::Subject& subject,
+                                   const topology::AnalyseOptions& how) {
+    const animation::Timeline& time = subject.first.timeline;
+    topology::TimelineRecord record{
+        topology::header_of(subject, {time.time(how.first), time.time(how.last)}), {}};
+    for (const auto& solid : how.solids) {
+        if (record.header.solids.empty() || subject.second)
+            record.header.solids.push_back(*solid == topology::Side::positive ? 1 : -1);
+    }
+    record.timeline = topology::analyse(subject, how);
+    return record;
+}
+
+Interval interval(const formula::Interval& from) { return {from.lo, from.hi}; }
+
+std::optional<Betti> betti(const std::optional<topology::Betti>& from) {
+    if (!from) return std::nullopt;
+    return Betti{from->components, from->tunnels, from->voids};
+}
+
+TopologyEvent event_of(const topology::Event& from) {
+    return {.kind = std::string(topology::name(from.kind)),
+            .time = interval(from.time),
+            .where = {interval(from.where[0]), interval(from.where[1]), interval(from.where[2])},
+            .proved = from.is_proved,
+            .before = betti(from.before),
+            .after = betti(from.after)};
+}
+
+} // namespace
+
+Topology topology_of(const Scene& scene, const TopologySettings& settings, const Watcher& watcher) {
+    return api::with_errors([&] {
+        const topology::Subject subject = subject_of(scene.parts().scene, settings);
+        const topology::TimelineRecord record =
+            record_of(subject, options_of(subject, settings, watcher));
+        const topology::Timeline& timeline = record.timeline;
+        Topology found;
+        found.start = betti(timeline.start);
+        found.end = betti(timeline.end);
+        found.complete = timeline.is_complete();
+        found.doubts = topology::gaps(timeline, record.header.fps);
+        found.summary = topology::summary(record);
+        found.json = topology::to_json(record);
+        for (const topology::Event& event : timeline.events) {
+            // On the bounds, where nothing changes, an event is no change of topology.
+            if (event.kind != topology::Kind::none) found.events.push_back(event_of(event));
+        }
+        return found;
+    });
+}
+
+} // namespace isomotion
