@@ -14,9 +14,10 @@ Device& device() {
 }
 
 Scene ball() {
-    return Scene::parse("[surface]\nformula = 'x^2 + y^2 + z^2 - 1'\nbounds = { sphere = 1.5 }\n"
-                        "[camera]\nprojection = 'orthographic'\nposition = [0, 5, 0]\nheight = 4\n"
-                        "[output]\nsize = [64, 48]\nbackground = 'transparent'\n[time]\nframes = 5\n");
+    return Scene::parse(
+        "[surface]\nformula = 'x^2 + y^2 + z^2 - 1'\nbounds = { sphere = 1.5 }\n"
+        "[camera]\nprojection = 'orthographic'\nposition = [0, 5, 0]\nheight = 4\n"
+        "[output]\nsize = [64, 48]\nbackground = 'transparent'\n[time]\nframes = 5\n");
 }
 
 TEST(Drawing, HasPlanesOfTheSceneSize) {
