@@ -4,11 +4,10 @@
 #include <fmt/format.h>
 
 #include "animation/frame_range.h"
-#include "api/drawing/errors.h"
 #include "api/drawing/parts.h"
+#include "api/errors.h"
 #include "api/scene/parts.h"
 #include "sequence/exporter.h"
-#include "sequence/manifest_json.h"
 #include "sequence/verification.h"
 
 namespace isomotion {
@@ -50,23 +49,11 @@ Exported exported(const sequence::ExportTotals& totals) {
             .stopped = totals.stopped};
 }
 
-template<class Work> decltype(auto) with_export_errors(Work&& work) {
-    return api::with_drawing_errors([&]() -> decltype(auto) {
-        try {
-            return work();
-        } catch (const sequence::ConflictError& error) { // another process writes these files
-            throw Error(Error::Code::file, error.what());
-        } catch (const sequence::ManifestError& error) {
-            throw Error(Error::Code::file, error.what());
-        }
-    });
-}
-
 } // namespace
 
 Exported export_frames(Device& device, const Scene& scene, const ExportSettings& settings,
                        const Watcher& watcher) {
-    return with_export_errors([&] {
+    return api::with_all_errors([&] {
         const scene::Scene& all = scene.parts().scene;
         sequence::Exporter exporter(all, options_of(all, settings));
         const auto all_frames = watcher_of(watcher, exporter.options().frames.size());
@@ -77,7 +64,7 @@ Exported export_frames(Device& device, const Scene& scene, const ExportSettings&
 }
 
 Verified verify(const std::filesystem::path& manifest, bool pixels) {
-    return with_export_errors([&] {
+    return api::with_all_errors([&] {
         const sequence::Verification found = sequence::verify(manifest, {.pixels = pixels});
         return Verified{found.is_whole(), found.missing, found.changed};
     });

@@ -4,36 +4,44 @@
 #include <cmath>
 #include <csignal>
 #include <cstdio>
-#include <filesystem>
 #include <iostream>
 #include <sstream>
-#include <system_error>
 
 #include <unistd.h>
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
+#include "api/errors.h"
 #include "app/command_tree.h"
 #include "app/console.h"
 #include "app/help_text.h"
 #include "app/plain_words.h"
 #include "app/stop_on_signal.h"
-#include "base/file.h"
-#include "gpu/context.h"
-#include "gpu/error.h"
 #include "gpu/lost_display.h"
-#include "image/frame.h"
-#include "scene/error.h"
-#include "sequence/movies/movie.h"
-#include "topology/classify/recount.h"
 
 namespace isomotion::app {
 namespace {
 
-int report(int code, const std::exception& error) {
+int report(const Error& error) {
     message("{}\n", error.what());
-    return code;
+    switch (error.code()) {
+    case Error::Code::input:
+    case Error::Code::formula:
+    case Error::Code::limit:
+        return exit_usage;
+    case Error::Code::stopped:
+        return exit_interrupted;
+    case Error::Code::device:
+    case Error::Code::file:
+        break;
+    case Error::Code::internal:
+        message(
+            "This is a fault of the program, and nothing is claimed. Please report it, with the "
+            "scene and what `isomotion doctor --json` prints.\n");
+        break;
+    }
+    return exit_machine;
 }
 
 // An option that was given nothing, as by a shell's empty variable, is not one that was left out.
@@ -98,41 +106,12 @@ int run_command(int argc, char** argv) {
     try {
         end_with_input();
         gpu::end_when_display_is_lost(end_without_display);
-        return chosen();
-    } catch (const scene::SceneError& error) {
-        return report(exit_usage, error);
-    } catch (const std::invalid_argument& error) {
-        return report(exit_usage, error);
-    } catch (const image::ImageError& error) {
-        return report(exit_usage, error);
-    } catch (const std::length_error& error) { // a sum too long for a shader
-        return report(exit_usage, error);
-    } catch (const topology::Contradiction& error) {
-        message("isomotion contradicts itself: {}\nThis is a fault of the program, and nothing is "
-                "claimed. Please report it, with the scene and what `isomotion doctor --json` "
-                "prints.\n",
-                error.what());
-        return exit_machine;
-    } catch (const gpu::Unavailable& error) {
-        return report(exit_machine, error);
-    } catch (const base::FileError& error) {
-        return report(exit_machine, error);
-    } catch (const std::filesystem::filesystem_error& error) { // a path that is too long
-        return report(exit_machine,
-                      base::FileError(error.path1(), "cannot be reached", error.code().value()));
-    } catch (const std::system_error& error) { // no thread is to be had
-        message("{}: too little memory or too many processes (ulimit -v, ulimit -u)\n",
-                error.code().message());
-        return exit_machine;
-    } catch (const sequence::MovieError& error) {
-        return report(exit_machine, error);
-    } catch (const gpu::ResourceError& error) {
-        return report(exit_machine, error);
+        return api::with_all_errors(chosen);
+    } catch (const Error& error) {
+        return report(error);
     } catch (const std::bad_alloc&) {
         message("out of memory: this takes more than the machine or a limit allows\n");
         return exit_machine;
-    } catch (const std::exception& error) {
-        return report(exit_machine, error);
     }
 }
 
@@ -155,6 +134,10 @@ void add_commands(CLI::App& app, Action& chosen) {
     add_doctor(app, chosen);
     add_describe(app, chosen);
     refuse_empty_words(app);
+}
+
+Reach reach_of(scene::Reach reach) {
+    return reach == scene::Reach::anywhere ? Reach::anywhere : Reach::own_folder;
 }
 
 CLI::Option* add_allow_outside(CLI::App& command, scene::Reach& reach) {

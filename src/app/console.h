@@ -36,6 +36,8 @@ template<class... Parts> void message(fmt::format_string<Parts...> format, Parts
     write_message(fmt::format(format, std::forward<Parts>(parts)...));
 }
 
+inline void warn(std::string_view text) { message("warning: {}\n", text); }
+
 // Whether all output has left the program; reports the reason if not.
 bool finish_output();
 

@@ -14,22 +14,23 @@
 namespace isomotion::app {
 namespace fs = std::filesystem;
 
-Inputs::Inputs(const scene::Scene& scene) { add(scene); }
+Inputs::Inputs(const std::vector<fs::path>& files) {
+    for (const fs::path& file : files) add(file);
+}
+
+Inputs::Inputs(const scene::Scene& scene)
+    : Inputs(scene::files_read(scene)) {}
 
 Inputs Inputs::of_gallery() {
     Inputs inputs;
     for (const std::string& name : scene::animation_names()) {
         inputs.add(scene::animation_file(name));
         try {
-            inputs.add(scene::load(name));
+            for (const fs::path& file : scene::files_read(scene::load(name))) inputs.add(file);
         } catch (const scene::SceneError&) { // its own file is known
         }
     }
     return inputs;
-}
-
-void Inputs::add(const scene::Scene& scene) {
-    for (const fs::path& file : scene::files_read(scene)) add(file);
 }
 
 void Inputs::add(const fs::path& file) {

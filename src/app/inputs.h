@@ -6,6 +6,7 @@
 #include <map>
 #include <string_view>
 #include <utility>
+#include <vector>
 
 #include "scene/scene.h"
 #include "sequence/names/sequence_name.h"
@@ -16,6 +17,7 @@ namespace isomotion::app {
 // file are one.
 class Inputs {
 public:
+    explicit Inputs(const std::vector<std::filesystem::path>& files);
     explicit Inputs(const scene::Scene& scene);
     // Of all animations, also of those that have mistakes.
     static Inputs of_gallery();
@@ -31,7 +33,6 @@ public:
 
 private:
     Inputs() = default;
-    void add(const scene::Scene& scene);
 
     using Identity = std::pair<std::uint64_t, std::uint64_t>; // device and inode
     std::map<Identity, std::filesystem::path> files_;

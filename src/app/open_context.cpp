@@ -1,5 +1,6 @@
 #include "app/open_context.h"
 
+#include "api/drawing/parts.h"
 #include "app/commands.h"
 #include "base/last_words.h"
 
@@ -11,6 +12,10 @@ std::unique_ptr<gpu::Context> open_context(const std::string& backend) {
     auto context = gpu::Context::create(parsed);
     context->keep_until_drawn(std::move(words));
     return context;
+}
+
+Device open_device(const std::string& backend) {
+    return Device(std::make_unique<Device::Parts>(Device::Parts{open_context(backend)}));
 }
 
 std::shared_ptr<void> words_on_crash() {

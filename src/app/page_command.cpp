@@ -14,17 +14,10 @@
 #include "app/inputs.h"
 #include "app/open_context.h"
 #include "app/progress.h"
-#include "app/render_arguments.h"
 #include "app/stop_on_signal.h"
 #include "base/file.h"
-#include "base/input_error.h"
-#include "image/encode.h"
+#include "isomotion/isomotion.h"
 #include "page/gallery.h"
-#include "page/page.h"
-#include "render/exposure.h"
-#include "scene/data_folder.h"
-#include "scene/reading/load.h"
-#include "sequence/exporter.h"
 #include "sequence/movies/movie.h"
 
 namespace isomotion::app {
@@ -43,15 +36,12 @@ void write(const fs::path& file, const std::string& text) {
     base::write_whole(file, std::as_bytes(std::span(text)));
 }
 
-fs::path file_of(const PageArguments& arguments, const scene::Scene& scene) {
-    if (!arguments.output.empty()) {
-        fs::path file = arguments.output;
-        if (file.extension() == ".html" || file.extension() == ".htm") return file;
-        throw std::invalid_argument(
-            fmt::format("-o {0}: a page is an HTML file, as {0}.html", arguments.output));
-    }
-    return scene.formula.empty() ? fs::path(scene.file.stem().string() + ".html")
-                                 : fs::path("formula.html");
+fs::path file_of(const PageArguments& arguments, const Scene& scene) {
+    if (arguments.output.empty()) return scene.name() + ".html";
+    fs::path file = arguments.output;
+    if (file.extension() == ".html" || file.extension() == ".htm") return file;
+    throw std::invalid_argument(
+        fmt::format("-o {0}: a page is an HTML file, as {0}.html", arguments.output));
 }
 
 // A folder of its own, which goes with this.
@@ -74,90 +64,77 @@ private:
     fs::path folder_;
 };
 
-// All frames, small: sides of up to 320 pixels, even ones, as encoders want them.
-std::vector<std::byte> movie_of(const PageArguments& arguments, const scene::Scene& scene) {
+// All frames, small: sides of up to 320 pixels, even ones, as encoders want them. Empty if stopped.
+std::vector<std::byte> movie_of(const PageArguments& arguments, const Scene& scene) {
     constexpr double side = 320;
-    const double scale = side / std::max(scene.output.width, scene.output.height);
+    const double scale = side / std::max(scene.width(), scene.height());
     const auto even = [&](int length) { return std::max(2, 2 * int(0.5 * scale * length)); };
+    const Scene small = scene.with(
+        "output.size", fmt::format("[{}, {}]", even(scene.width()), even(scene.height())));
     const Workplace folder;
-    RenderArguments render;
-    render.scene = arguments.scene;
-    render.settings = arguments.settings;
-    render.reach = arguments.reach;
-    render.size = fmt::format("{}x{}", even(scene.output.width), even(scene.output.height));
-    render.output = folder / "frame.####.png";
     const fs::path movie = folder / "movie.mp4";
-    render.movies = {movie.string()};
-    render.audit = "off";
-    sequence::Exporter exporter = exporter_of(render);
     sequence::expect_ffmpeg();
-    const auto context = open_context(arguments.backend);
+    Device device = open_device(arguments.backend);
     const StopOnSignal stop;
-    Progress progress("drawing the movie", scene.timeline.frames, arguments.quiet);
-    const sequence::ExportWatcher watcher{
+    Progress progress("drawing the movie", scene.frames(), arguments.quiet);
+    const Watcher watcher{
         .stop = [&] { return stop.asked(); },
-        .warn = [](const std::string& text) { message("warning: {}\n", text); },
-        .progress = [&](const sequence::ExportProgress& now) { progress.show(now.done); }};
+        .progress = [&](const std::string&, double part) { progress.show(part * scene.frames()); },
+        .warn = warn};
     stop.work_has_begun();
-    if (exporter.export_frames(*context, watcher).stopped || !exporter.write_movies(watcher))
-        return {};
-    return base::read_whole(movie);
+    const Exported done = export_frames(
+        device, small,
+        {.output = folder / "frame.####.png", .frames = {}, .movies = {movie}, .audit = 0},
+        watcher);
+    return done.stopped ? std::vector<std::byte>() : base::read_whole(movie);
 }
 
 // NAME.accuracy beside NAME.toml, where there is such a report.
-std::optional<fs::path> report_beside(const scene::Scene& scene) {
-    if (!scene.formula.empty()) return std::nullopt;
-    fs::path report = scene.file;
+std::optional<fs::path> report_beside(const Scene& scene) {
+    const std::vector<fs::path> files = scene.files();
+    if (files.empty()) return std::nullopt;
+    fs::path report = files.front();
     report.replace_extension(".accuracy");
     std::error_code ignored;
     return fs::exists(report, ignored) ? std::optional(report) : std::nullopt;
 }
 
 // A report that was not asked for may be of other settings: the page goes without it.
-std::string page_with_report_beside(const scene::Scene& scene, page::PageOptions& options) {
-    options.report = report_beside(scene);
-    if (!options.report) return page::page(scene, options);
+std::string page_with_report_beside(const Scene& scene, PageSettings& settings) {
+    settings.report = report_beside(scene);
+    if (!settings.report) return page_of(scene, settings, {.warn = warn});
     try {
-        return page::page(scene, options);
-    } catch (const base::InputError& error) {
-        message("warning: {}; the page goes without the report\n", error.what());
-        options.report.reset();
-        return page::page(scene, options);
+        return page_of(scene, settings, {.warn = warn});
+    } catch (const Error& error) {
+        if (error.code() != Error::Code::input) throw;
+        warn(fmt::format("{}; the page goes without the report", error.what()));
+        settings.report.reset();
+        return page_of(scene, settings, {.warn = warn});
     }
 }
 
 int write_page(const PageArguments& arguments) {
-    const scene::Scene scene = scene::load(arguments.scene, arguments.settings, arguments.reach);
+    const Scene scene = Scene::load(arguments.scene, arguments.settings, reach_of(arguments.reach));
     const fs::path file = file_of(arguments, scene);
-    Inputs inputs(scene);
+    Inputs inputs(scene.files());
     inputs.add(fs::is_directory(arguments.report) ? arguments.report / fs::path("accuracy.json")
                                                   : fs::path(arguments.report));
     inputs.expect_apart("-o", file);
-    page::PageOptions options;
-    options.warn = [](const std::string& text) { message("warning: {}\n", text); };
-    if (!arguments.report.empty()) options.report = arguments.report;
+    PageSettings settings;
+    if (!arguments.report.empty()) settings.report = arguments.report;
     // What is refused is refused before anything is drawn.
-    std::string text =
-        options.report ? page::page(scene, options) : page_with_report_beside(scene, options);
+    std::string text = settings.report ? page_of(scene, settings, {.warn = warn})
+                                       : page_with_report_beside(scene, settings);
     if (arguments.video) {
-        options.movie = movie_of(arguments, scene);
-        if (options.movie.empty()) return exit_interrupted;
-        options.warn = {}; // it was told
-        text = page::page(scene, options);
+        settings.movie = movie_of(arguments, scene);
+        if (settings.movie.empty()) return exit_interrupted;
+        text = page_of(scene, settings); // its warnings were told
     }
     if (file.has_parent_path()) fs::create_directories(file.parent_path());
     write(file, text);
     if (!arguments.quiet)
         print_result("page: {}, {} kB\n", file.string(), (text.size() + 999) / 1000);
     return exit_done;
-}
-
-// The frame that stands for the whole, small.
-std::vector<std::byte> poster_of(gpu::Context& context, const scene::Scene& scene) {
-    constexpr int side = 256;
-    render::Renderer renderer(context, scene, {.width = side, .height = side});
-    return image::encode(render::expose(renderer, scene, scene.output.poster).frame,
-                         image::Format::png8);
 }
 
 // File systems may take "Index" for "index".
@@ -167,10 +144,11 @@ bool is_index(std::string name) {
 }
 
 int write_gallery(const PageArguments& arguments) {
+    constexpr int side = 256; // of the posters
     const fs::path folder = arguments.output.empty() ? "site" : arguments.output;
     fs::create_directories(folder);
-    const auto context = open_context(arguments.backend);
-    const std::vector<std::string> names = scene::animation_names();
+    Device device = open_device(arguments.backend);
+    const std::vector<std::string> names = animations();
     const Inputs inputs = Inputs::of_gallery();
     inputs.expect_apart("-o", folder / "index.html");
     Progress progress("writing pages", int(names.size()), arguments.quiet);
@@ -188,16 +166,17 @@ int write_gallery(const PageArguments& arguments) {
             continue;
         }
         try {
-            const scene::Scene scene = scene::load(name, {"output.size=[256,256]"});
+            const Scene scene = Scene::load(name, {fmt::format("output.size=[{0},{0}]", side)});
             for (const char* extension : {".png", ".html"})
                 inputs.expect_apart("-o", folder / (name + extension));
-            const std::string text = page::page(scene);
-            base::write_whole(folder / (name + ".png"), poster_of(*context, scene));
+            const std::string text = page_of(scene);
+            Renderer(device, scene).draw(scene.poster()).write(folder / (name + ".png"));
             write(folder / (name + ".html"), text);
-            entries.push_back({name, scene.title});
-        } catch (const scene::SceneError& error) {
-            leave_out(name, error.what());
-        } catch (const std::length_error& error) { // shaders too long
+            entries.push_back({name, scene.title()});
+        } catch (const Error& error) {
+            const bool is_of_scene =
+                error.code() == Error::Code::input || error.code() == Error::Code::limit;
+            if (!is_of_scene) throw;
             leave_out(name, error.what());
         }
     }

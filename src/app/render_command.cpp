@@ -88,8 +88,6 @@ std::string summary(const sequence::ExportTotals& totals, Seconds wall) {
     return text;
 }
 
-void warn(const std::string& text) { message("warning: {}\n", text); }
-
 // Warns of frames for which no bounds were looked for; empty if there are none.
 std::string bounds_beyond(const sequence::Exporter& exporter) {
     const scene::Scene& scene = exporter.scene();

@@ -163,7 +163,7 @@ Pictures pictures_of(const TopologyArguments& arguments, const topology::Timelin
     } catch (const gpu::Unavailable&) {
         message("warning: no OpenGL here: {} has no pictures of the surface\n", arguments.plot);
     } catch (const std::exception& error) { // a shader too long, a value out of range in between
-        message("warning: {} lacks pictures of the surface: {}\n", arguments.plot, error.what());
+        warn(fmt::format("{} lacks pictures of the surface: {}", arguments.plot, error.what()));
     }
     return pictures;
 }
@@ -199,7 +199,7 @@ void warn_of_unbounded(const Subject& subject, int frame) {
          {&subject.first, subject.second ? &*subject.second : nullptr}) {
         if (!scene) continue;
         const scene::SceneAt now = scene::at(*scene, scene->timeline.values(frame));
-        if (const auto why = scene::why_unbounded(*scene, now)) message("warning: {}\n", *why);
+        if (const auto why = scene::why_unbounded(*scene, now)) warn(*why);
     }
 }
 

@@ -68,7 +68,7 @@ TEST(Drawing, WritesFilesAndMovies) {
     renderer.draw(1).write(folder / "a.exr");
     EXPECT_GT(fs::file_size(folder / "a.png"), 100u);
     EXPECT_GT(fs::file_size(folder / "a.exr"), 1000u);
-    EXPECT_EQ(told([&] { renderer.draw(1).write(folder / "a.tiff"); }).code, Error::Code::file);
+    EXPECT_EQ(told([&] { renderer.draw(1).write(folder / "a.tiff"); }).code, Error::Code::input);
     EXPECT_EQ(told([&] { renderer.draw(1).write(folder / "none/a.png"); }).code, Error::Code::file);
     const Watcher stops{.stop = [] { return true; }};
     const auto picture = [&](int k) { return renderer.draw(k + 1); };

@@ -89,7 +89,7 @@ TEST_F(ExportFrames, TellMistakes) {
     EXPECT_EQ(code(), Error::Code::input);
     settings_.channels = {};
     settings_.output = (folder_ / "ball.####.gif").string();
-    EXPECT_EQ(code(), Error::Code::file);
+    EXPECT_EQ(code(), Error::Code::input);
     EXPECT_EQ(told([&] { verify(folder_ / "none.manifest"); }).code, Error::Code::file);
 }
 

@@ -52,7 +52,11 @@ TEST(Scene, IsAFileAnAnimationOrAFormula) {
     const Scene blobby = Scene::load("blobby75");
     ASSERT_FALSE(blobby.files().empty());
     EXPECT_EQ(blobby.files().front().filename(), "blobby75.toml");
-    EXPECT_EQ(Scene::load("x^2 + y^2 + z^2 = a*b", {"a=1", "b=2"}).parameters(1).size(), 2u);
+    EXPECT_EQ(blobby.name(), "blobby75");
+    const Scene formula = Scene::load("x^2 + y^2 + z^2 = a*b", {"a=1", "b=2"});
+    EXPECT_EQ(formula.parameters(1).size(), 2u);
+    EXPECT_EQ(formula.name(), "formula");
+    EXPECT_TRUE(formula.files().empty());
 
     const std::filesystem::path file =
         std::filesystem::temp_directory_path() / "isomotion_api_scene_test.toml";

@@ -27,6 +27,9 @@ Device::Device(Kind kind) {
         [&] { return std::make_unique<Parts>(Parts{gpu::Context::create(backend_of(kind))}); });
 }
 
+Device::Device(std::unique_ptr<Parts> parts)
+    : parts_(std::move(parts)) {}
+
 Device::Device(Device&&) noexcept = default;
 Device& Device::operator=(Device&&) noexcept = default;
 Device::~Device() = default;

@@ -22,7 +22,7 @@ void throw_drawing_error() {
     } catch (const gpu::ResourceError& error) {
         throw Error(Code::device, error.what());
     } catch (const image::ImageError& error) {
-        throw Error(Code::file, error.what());
+        throw Error(Code::input, error.what());
     } catch (const sequence::MovieError& error) {
         throw Error(Code::file, error.what());
     } catch (const render::Stopped&) {

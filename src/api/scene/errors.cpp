@@ -1,6 +1,8 @@
 #include "api/scene/errors.h"
 
+#include <filesystem>
 #include <new>
+#include <system_error>
 
 #include <fmt/format.h>
 
@@ -28,8 +30,17 @@ void throw_error() {
         throw Error(Code::input, error.what());
     } catch (const std::length_error& error) {
         throw Error(Code::limit, error.what());
-    } catch (const std::exception& error) {
-        throw Error(Code::internal, fmt::format("{}; please report this", error.what()));
+    } catch (const std::filesystem::filesystem_error& error) { // a path that is too long
+        const base::FileError same(error.path1(), "cannot be reached", error.code().value());
+        throw Error(Code::file, same.what());
+    } catch (const std::system_error& error) { // no thread is to be had
+        throw Error(Code::device, fmt::format("{}: too little memory or too many processes (ulimit "
+                                              "-v, ulimit -u)",
+                                              error.code().message()));
+    } catch (const std::logic_error& error) {
+        throw Error(Code::internal, error.what());
+    } catch (const std::exception& error) { // a library or a driver refuses
+        throw Error(Code::device, error.what());
     }
 }
 

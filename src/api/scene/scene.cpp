@@ -63,9 +63,12 @@ Scene Scene::with(const std::string& key, double value) const {
 
 const std::string& Scene::title() const { return parts_->scene.title; }
 
+std::string Scene::name() const { return parts_->scene.file.stem().string(); }
+
 std::vector<fs::path> Scene::files() const {
     std::vector<fs::path> files = scene::files_read(parts_->scene);
-    if (parts_->folder) std::erase(files, parts_->scene.file); // it was a text
+    // A formula and a text are in no file.
+    if (parts_->folder || !parts_->scene.formula.empty()) std::erase(files, parts_->scene.file);
     return files;
 }
 

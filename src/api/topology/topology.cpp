@@ -1,7 +1,7 @@
 #include <fmt/format.h>
 
-#include "api/scene/errors.h"
 #include "api/scene/parts.h"
+#include "api/topology/errors.h"
 #include "scene/surfaces.h"
 #include "topology/subject.h"
 #include "topology/timeline/summary.h"
@@ -92,7 +92,7 @@ TopologyEvent event_of(const topology::Event& from) {
 } // namespace
 
 Topology topology_of(const Scene& scene, const TopologySettings& settings, const Watcher& watcher) {
-    return api::with_errors([&] {
+    return api::with_topology_errors([&] {
         const topology::Subject subject = subject_of(scene.parts().scene, settings);
         const topology::TimelineRecord record =
             record_of(subject, options_of(subject, settings, watcher));

@@ -35,8 +35,8 @@ public:
     enum class Code {
         input,    // a scene, a setting or an argument: "file:line: key: what is wrong"
         formula,  // text of a Formula, with a caret below the mistake
-        device,   // no OpenGL, or the driver cannot do what it is asked
-        file,     // the file system refuses, or a file is not what it must be
+        device,   // no OpenGL, no more threads, or the driver cannot do what it is asked
+        file,     // the file system refuses, or a file is not what isomotion wrote
         stopped,  // a callback asked for it
         limit,    // too long, too large, or not decided within the limits
         internal, // a fault of this library: please report it
@@ -112,6 +112,8 @@ public:
     Scene with(const std::string& key, double value) const;
 
     const std::string& title() const;
+    // A name for files: that of the scene's own without its extension, "formula" or "scene".
+    std::string name() const;
     // Files that the scene was read from; none for a formula or a text that names no file.
     std::vector<std::filesystem::path> files() const;
     int frames() const;
@@ -207,6 +209,7 @@ public:
     std::string name() const; // of the renderer, its driver and how it was opened
 
     struct Parts; // for isomotion itself
+    explicit Device(std::unique_ptr<Parts> parts);
     Parts& parts() const { return *parts_; }
 
 private:
@@ -293,7 +296,14 @@ struct Verified {
 // Compares files with their manifest, "out/name.manifest"; `pixels`: decodes each picture, too.
 Verified verify(const std::filesystem::path& manifest, bool pixels = false);
 
+struct PageSettings {
+    // A report of `isomotion accuracy`, whose wrong pixels and times the page shows.
+    std::optional<std::filesystem::path> report = {};
+    std::vector<std::byte> movie = {}; // an MP4, for browsers that cannot draw the scene
+};
+
 // A scene as one HTML file, which plays it in a browser.
-std::string page_of(const Scene& scene, const Watcher& watcher = {});
+std::string page_of(const Scene& scene, const PageSettings& settings = {},
+                    const Watcher& watcher = {});
 
 } // namespace isomotion
