@@ -18,6 +18,7 @@ namespace isomotion::fuzz {
 namespace {
 
 using namespace formula;
+using formula::Interval; // and not the public header's
 
 Vocabulary vocabulary() {
     Vocabulary v;
