@@ -8,6 +8,7 @@
 #include "formula/graph/in_range.h"
 #include "formula/graph/numerator.h"
 #include "formula/graph/roughness.h"
+#include "formula/kept_enclosures.h"
 
 namespace isomotion::formula {
 
@@ -57,9 +58,7 @@ struct Enclosed {
     std::array<NodeId, 3> gradient{};
 };
 
-} // namespace
-
-EnclosurePrograms enclosure_programs(const Field& field) {
+EnclosurePrograms derive_programs(const Field& field) {
     Enclosed e(field);
     Graph& g = e.graph;
     // Walls stand where values jump and are bounded, as those of tanh(x/0) are.
@@ -74,6 +73,30 @@ EnclosurePrograms enclosure_programs(const Field& field) {
                                    anywhere(g, roughness(g, field.root, least_part_of_pieces))}),
             e.may_lack_values()};
 }
+
+Program derive_value(const Field& field) {
+    Graph g = field.graph;
+    g.fold_exactly();
+    const NodeId root = with_chebyshev(g, field.root);
+    return schedule(g, std::array{g.add(bounds_in_range(g, root), gaps(g, root))});
+}
+
+std::optional<Program> derive_hessian(const Field& field) {
+    if (!degree(field.graph, field.root) || has_chebyshev(field.graph)) return {};
+    Graph g = field.graph;
+    g.fold_exactly();
+    const NodeId along = differentiate_inputs(g, field.root, direction(g));
+    const NodeId one = g.constant(1), zero = g.constant(0);
+    std::vector<NodeId> outputs{field.root, along};
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        std::vector<NodeId> directions(6, zero); // the ray's rests
+        directions[axis] = one;
+        outputs.push_back(differentiate_inputs(g, along, directions));
+    }
+    return schedule(g, outputs);
+}
+
+} // namespace
 
 // Enclosures add nodes to a copy of the field's graph, whose own keep their numbers.
 std::vector<NodeId> own_sums(const Field& field, int array) {
@@ -95,26 +118,16 @@ std::optional<EnclosuresApart> enclosures_apart(const Field& field, int array) {
                            std::move(*jumps), own_sums(field, array),  e.may_lack_values()};
 }
 
-Program value_enclosure(const Field& field) {
-    Graph g = field.graph;
-    g.fold_exactly();
-    const NodeId root = with_chebyshev(g, field.root);
-    return schedule(g, std::array{g.add(bounds_in_range(g, root), gaps(g, root))});
+const EnclosurePrograms& enclosure_programs(const Field& field) {
+    return field.kept->programs.get([&] { return derive_programs(field); });
 }
 
-std::optional<Program> hessian_program(const Field& field) {
-    if (!degree(field.graph, field.root) || has_chebyshev(field.graph)) return {};
-    Graph g = field.graph;
-    g.fold_exactly();
-    const NodeId along = differentiate_inputs(g, field.root, direction(g));
-    const NodeId one = g.constant(1), zero = g.constant(0);
-    std::vector<NodeId> outputs{field.root, along};
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-        std::vector<NodeId> directions(6, zero); // the ray's rests
-        directions[axis] = one;
-        outputs.push_back(differentiate_inputs(g, along, directions));
-    }
-    return schedule(g, outputs);
+const Program& value_enclosure(const Field& field) {
+    return field.kept->value.get([&] { return derive_value(field); });
+}
+
+const std::optional<Program>& hessian_program(const Field& field) {
+    return field.kept->hessian.get([&] { return derive_hessian(field); });
 }
 
 } // namespace isomotion::formula

@@ -8,7 +8,7 @@
 // continuous; and where it doesn't hold 0, a ray has at most one root, whatever the formula. Values
 // are the entire line over boxes with points where F has no value.
 //
-//     const EnclosurePrograms programs = enclosure_programs(field);
+//     const EnclosurePrograms& programs = enclosure_programs(field);
 //     Evaluator<Interval> along(programs.directional);
 //     const std::array<Interval, 6> ray{Interval(0, 0.1), y, z, dx, dy, dz};
 //     std::array<Interval, 2> f; // F and dF/dt
@@ -39,8 +39,12 @@ struct EnclosurePrograms {
     bool may_lack_values = false; // or have poles; if false, the second output of `jumps` is 0
 };
 
-EnclosurePrograms enclosure_programs(const Field& field);
-Program value_enclosure(const Field& field); // only the first of them
+// They are derived when they are first asked for, by any thread, and live as long as the field or a
+// copy of it.
+const EnclosurePrograms& enclosure_programs(const Field& field);
+const EnclosurePrograms& enclosure_programs(const Field&&) = delete;
+const Program& value_enclosure(const Field& field); // only the first of them
+const Program& value_enclosure(const Field&&) = delete;
 
 // The first four programs with the sums over an array separated.
 struct EnclosuresApart {
@@ -60,6 +64,7 @@ std::optional<EnclosuresApart> enclosures_apart(const Field& field, int array);
 // about a point of the box, dF/dt is bounded by this gradient closely, where its own terms cancel
 // and would give a poor bound. None for other fields: there a second derivative may have no bound
 // or, for chebyshev, only a poor one.
-std::optional<Program> hessian_program(const Field& field);
+const std::optional<Program>& hessian_program(const Field& field);
+const std::optional<Program>& hessian_program(const Field&&) = delete;
 
 } // namespace isomotion::formula

@@ -10,6 +10,7 @@
 #include "formula/graph/power_sums.h"
 #include "formula/graph/same_signs.h"
 #include "formula/graph/walls.h"
+#include "formula/kept_enclosures.h"
 
 namespace isomotion::formula {
 namespace {
@@ -50,6 +51,7 @@ void derive_programs(Field& field) {
     field.value = schedule(working, std::array{low[0]});
     field.directional = schedule(working, std::array{low[0], low[1]});
     field.gradient = schedule(working, std::array{low[2], low[3], low[4]});
+    field.kept = std::make_shared<KeptEnclosures>();
 }
 
 } // namespace

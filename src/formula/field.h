@@ -1,6 +1,7 @@
 // A surface's field F: the formula and all programs derived from it, for both back ends.
 #pragma once
 
+#include <memory>
 #include <set>
 #include <string>
 #include <string_view>
@@ -14,6 +15,8 @@
 namespace isomotion::formula {
 
 inline constexpr int first_direction = 3; // inputs 3, 4, 5: the ray's direction
+
+struct KeptEnclosures;
 
 struct Field {
     std::string text; // as the user wrote it
@@ -30,6 +33,7 @@ struct Field {
     // Above 0 if jumps of F across 0 are walls: the distance from a jump within which the gradient
     // is the wall's normal, see graph/walls.h.
     double wall_distance = 0;
+    std::shared_ptr<KeptEnclosures> kept; // programs over boxes: enclosure.h
 };
 
 // Inputs of the vocabulary are replaced by coordinate_names. Throws ParseError.

@@ -191,7 +191,7 @@ bool are_bounds_found(const Scene& scene) {
 }
 
 std::optional<FoundBounds> find_bounds(const Scene& scene) {
-    const formula::Program program = formula::value_enclosure(*scene.surface.field);
+    const formula::Program& program = formula::value_enclosure(*scene.surface.field);
     const auto values = values_of_frames(scene);
     if (!values) return std::nullopt;
     std::vector<Box> all;

@@ -176,7 +176,7 @@ std::optional<std::string> why_unbounded(const Scene& scene, const SceneAt& now)
         return std::nullopt;
     // Parts adds a node for each.
     if (2 * field.graph.size() > formula::limits::graph_nodes) return std::nullopt;
-    const formula::EnclosurePrograms programs = formula::enclosure_programs(field);
+    const formula::EnclosurePrograms& programs = formula::enclosure_programs(field);
     const std::vector<Point> points = points_of(now.bounds);
     formula::Evaluator<Interval> value(programs.value), jumps(programs.jumps);
     const bool is_known = std::ranges::any_of(points, [&](const Point& p) {

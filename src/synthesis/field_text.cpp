@@ -123,47 +123,28 @@ std::string as_comment(std::string formula) {
     return formula;
 }
 
-// The instructions behind functions. Those on intervals are derived once, where they are asked for.
-class FieldPrograms {
-public:
-    explicit FieldPrograms(const formula::Field& field, formula::IntervalNumbers numbers = {})
-        : numbers(numbers)
-        , field_(field) {}
-
-    const formula::IntervalNumbers numbers;
-
-    const formula::EnclosurePrograms& enclosures() {
-        if (!enclosures_) enclosures_ = formula::enclosure_programs(field_);
-        return *enclosures_;
+const formula::Program& program_of(const formula::Field& field, FieldFunction function) {
+    switch (function) {
+    case FieldFunction::value:
+        return field.value;
+    case FieldFunction::directional:
+        return field.directional;
+    case FieldFunction::gradient:
+        return field.gradient;
+    case FieldFunction::value_interval:
+        return formula::enclosure_programs(field).value;
+    case FieldFunction::directional_interval:
+        return formula::enclosure_programs(field).directional;
+    case FieldFunction::rough:
+        return formula::enclosure_programs(field).rough;
+    case FieldFunction::breaks:
+        return formula::enclosure_programs(field).breaks;
+    case FieldFunction::hessian_interval:
+        return formula::hessian_program(field).value();
+    default:
+        return formula::enclosure_programs(field).gradient;
     }
-
-    formula::Program of(FieldFunction function) {
-        switch (function) {
-        case FieldFunction::value:
-            return field_.value;
-        case FieldFunction::directional:
-            return field_.directional;
-        case FieldFunction::gradient:
-            return field_.gradient;
-        case FieldFunction::value_interval:
-            return enclosures().value;
-        case FieldFunction::directional_interval:
-            return enclosures().directional;
-        case FieldFunction::rough:
-            return enclosures().rough;
-        case FieldFunction::breaks:
-            return enclosures().breaks;
-        case FieldFunction::hessian_interval:
-            return formula::hessian_program(field_).value();
-        default:
-            return enclosures().gradient;
-        }
-    }
-
-private:
-    const formula::Field& field_;
-    std::optional<formula::EnclosurePrograms> enclosures_;
-};
+}
 
 struct FunctionParts {
     std::set<std::string> kernels;
@@ -171,42 +152,42 @@ struct FunctionParts {
     bool on_intervals = false;
 };
 
-FunctionParts parts_of(const formula::Field& field, FieldPrograms& all, FieldFunction function) {
-    const formula::IntervalNumbers& numbers = all.numbers;
-    using formula::interval_kernels_used, formula::kernels_used;
+std::string glsl_of(const formula::Field& field, FieldFunction function,
+                    const formula::IntervalNumbers& numbers) {
+    const auto& packing = field.packing;
     switch (function) {
     case FieldFunction::value:
-        return {kernels_used(field.value), formula::glsl_value(field)};
+        return formula::glsl_value(field);
     case FieldFunction::directional:
-        return {kernels_used(field.directional), formula::glsl_directional(field)};
+        return formula::glsl_directional(field);
     case FieldFunction::gradient:
-        return {kernels_used(field.gradient), formula::glsl_gradient(field)};
+        return formula::glsl_gradient(field);
+    case FieldFunction::hessian_interval:
+        return formula::glsl_hessian_interval(program_of(field, function), packing, numbers);
     default:
         break;
     }
-    if (function == FieldFunction::hessian_interval) {
-        const formula::Program bend = all.of(function);
-        return {interval_kernels_used(bend),
-                formula::glsl_hessian_interval(bend, field.packing, numbers), true};
-    }
-    const formula::EnclosurePrograms& programs = all.enclosures();
+    const formula::EnclosurePrograms& programs = formula::enclosure_programs(field);
     switch (function) {
     case FieldFunction::value_interval:
-        return {interval_kernels_used(programs.value),
-                formula::glsl_value_interval(programs, field.packing, numbers), true};
+        return formula::glsl_value_interval(programs, packing, numbers);
     case FieldFunction::directional_interval:
-        return {interval_kernels_used(programs.directional),
-                formula::glsl_directional_interval(programs, field.packing, numbers), true};
+        return formula::glsl_directional_interval(programs, packing, numbers);
     case FieldFunction::rough:
-        return {interval_kernels_used(programs.rough),
-                formula::glsl_rough(programs, field.packing, numbers), true};
+        return formula::glsl_rough(programs, packing, numbers);
     case FieldFunction::breaks:
-        return {interval_kernels_used(programs.breaks),
-                formula::glsl_breaks(programs, field.packing, numbers), true};
+        return formula::glsl_breaks(programs, packing, numbers);
     default:
-        return {interval_kernels_used(programs.gradient),
-                formula::glsl_gradient_interval(programs, field.packing, numbers), true};
+        return formula::glsl_gradient_interval(programs, packing, numbers);
     }
+}
+
+FunctionParts parts_of(const formula::Field& field, FieldFunction function,
+                       const formula::IntervalNumbers& numbers = {}) {
+    const formula::Program& program = program_of(field, function);
+    const bool on_intervals = is_on_intervals(function);
+    return {on_intervals ? formula::interval_kernels_used(program) : formula::kernels_used(program),
+            glsl_of(field, function, numbers), on_intervals};
 }
 
 // What cells count by: loops of a shader end, unasked, after some 65,000 turns in all. One
@@ -298,10 +279,9 @@ FieldStorage field_storage(const formula::Field& field, int parameters, std::spa
 formula::Cost cost(const formula::Field& field, const FieldStorage& storage,
                    const std::vector<FieldFunction>& functions, std::span<const int> counts) {
     if (storage.tapes) return storage.tapes->cost(functions);
-    FieldPrograms programs(field);
     formula::Cost total;
     for (const FieldFunction function : functions) {
-        const formula::Cost one = formula::cost(programs.of(function), counts);
+        const formula::Cost one = formula::cost(program_of(field, function), counts);
         total.operations += (is_on_intervals(function) ? interval_operations : 1) * one.operations;
         total.iterations += one.iterations;
     }
@@ -317,9 +297,8 @@ void add_field(ShaderText& text, const formula::Field& field, const FieldStorage
     const bool by_place = array_with_grid(storage).has_value();
     const std::vector<FieldFunction> compiled =
         storage.tapes ? std::vector<FieldFunction>{} : functions;
-    FieldPrograms programs(field);
     for (const FieldFunction function : compiled) {
-        FunctionParts parts = parts_of(field, programs, function);
+        FunctionParts parts = parts_of(field, function);
         (parts.on_intervals ? interval_kernels : kernels).merge(parts.kernels);
         on_intervals |= parts.on_intervals;
         generated += by_place ? in_cells(function, parts.glsl) : parts.glsl;
@@ -358,12 +337,12 @@ void add_enclosures(ShaderText& text, const formula::Field& field, const FieldSt
     formula::ListedArray listed;
     if (by_place) listed = {*by_place, formula::own_sums(field, *by_place)};
     if (sum) listed = {sum->array, formula::own_sums(field, sum->array)};
-    FieldPrograms programs(field, {numbers, by_place || sum ? &listed : nullptr});
+    const formula::IntervalNumbers on{numbers, by_place || sum ? &listed : nullptr};
     std::set<std::string> kernels;
     if (sum) kernels = formula::interval_kernels_used(sum->rest_and_factor);
     std::string generated;
     for (const FieldFunction function : functions) {
-        FunctionParts parts = parts_of(field, programs, function);
+        FunctionParts parts = parts_of(field, function, on);
         kernels.merge(parts.kernels);
         generated += by_place ? in_cells(function, parts.glsl) : parts.glsl;
     }

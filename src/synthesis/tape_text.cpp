@@ -111,7 +111,7 @@ void set_name(ShaderText& text, const std::string& name, const std::string& valu
 } // namespace
 
 std::shared_ptr<const FieldTapes> FieldTapes::of(const formula::Field& field) {
-    const formula::EnclosurePrograms over_boxes = formula::enclosure_programs(field);
+    const formula::EnclosurePrograms& over_boxes = formula::enclosure_programs(field);
     // Its decoration comes of running it.
     formula::Program enclosure_of_rough = over_boxes.rough;
     enclosure_of_rough.outputs.resize(1);

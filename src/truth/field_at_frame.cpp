@@ -8,8 +8,7 @@
 namespace isomotion::truth {
 
 EnclosedField::EnclosedField(const scene::Scene& scene)
-    : field_(*scene.surface.field)
-    , programs_(formula::enclosure_programs(field_)) {}
+    : field_(*scene.surface.field) {}
 
 EnclosedField::Frame EnclosedField::at(const scene::SceneAt& now, int threads,
                                        std::shared_ptr<const elements::ElementGrid> made) {
@@ -19,7 +18,7 @@ EnclosedField::Frame EnclosedField::at(const scene::SceneAt& now, int threads,
         by_place_ = elements::FieldByPlace::of(field_, counts);
         was_looked_for_ = true;
     }
-    Frame frame(programs_, now);
+    Frame frame(formula::enclosure_programs(field_), now);
     if (are_many && by_place_) {
         frame.by_place_ = by_place_->at(now.bindings, scene::region_of_elements(now.bounds),
                                         threads, std::move(made));

@@ -38,7 +38,6 @@ public:
 
 private:
     const formula::Field& field_;
-    formula::EnclosurePrograms programs_;
     std::optional<elements::FieldByPlace> by_place_; // set by the first frame with many elements
     bool was_looked_for_ = false;
 };

@@ -23,18 +23,14 @@ formula::Field field_of(std::string_view text, const std::map<std::string, doubl
 
 } // namespace
 
-// Programs are shared by copies with other values.
+// The field is shared by copies with other values.
 struct Formula::Parts {
-    struct Programs {
-        formula::Field field;
-        formula::Program enclosure;
-    };
-    std::shared_ptr<const Programs> programs;
+    std::shared_ptr<const formula::Field> field;
     std::map<std::string, double> parameters;
     formula::Bindings<double> bindings{};
 
-    Parts(std::shared_ptr<const Programs> made, std::map<std::string, double> values)
-        : programs(std::move(made))
+    Parts(std::shared_ptr<const formula::Field> shared, std::map<std::string, double> values)
+        : field(std::move(shared))
         , parameters(std::move(values)) {
         for (const auto& [name, value] : parameters) bindings.parameters.push_back(value);
     }
@@ -42,11 +38,8 @@ struct Formula::Parts {
 
 Formula::Formula(std::string_view text, std::map<std::string, double> parameters) {
     parts_ = with_errors([&] {
-        formula::Field field = field_of(text, parameters);
-        formula::Program enclosure = formula::value_enclosure(field);
-        auto programs = std::make_shared<const Parts::Programs>(
-            Parts::Programs{std::move(field), std::move(enclosure)});
-        return std::make_shared<const Parts>(std::move(programs), std::move(parameters));
+        auto field = std::make_shared<const formula::Field>(field_of(text, parameters));
+        return std::make_shared<const Parts>(std::move(field), std::move(parameters));
     });
 }
 
@@ -59,7 +52,7 @@ Formula Formula::with(const std::string& parameter, double value) const {
     }
     found->second = value;
     Formula changed = *this;
-    changed.parts_ = std::make_shared<const Parts>(parts_->programs, std::move(parameters));
+    changed.parts_ = std::make_shared<const Parts>(parts_->field, std::move(parameters));
     return changed;
 }
 
@@ -70,8 +63,7 @@ double Formula::value(const Point& at) const { return values(std::span(&at, 1)).
 Point Formula::gradient(const Point& at) const {
     return with_errors([&] {
         Point gradient{};
-        formula::Evaluator<double>(parts_->programs->field.gradient)
-            .point(parts_->bindings, at, gradient);
+        formula::Evaluator<double>(parts_->field->gradient).point(parts_->bindings, at, gradient);
         return gradient;
     });
 }
@@ -87,8 +79,7 @@ std::vector<double> Formula::values(std::span<const Point> at) const {
         const std::array<std::span<const double>, 3> inputs{coordinates[0], coordinates[1],
                                                             coordinates[2]};
         const std::array<std::span<double>, 1> outputs{values};
-        formula::Evaluator<double>(parts_->programs->field.value)
-            .points(parts_->bindings, inputs, outputs);
+        formula::Evaluator<double>(parts_->field->value).points(parts_->bindings, inputs, outputs);
         return values;
     });
 }
@@ -105,7 +96,7 @@ Interval Formula::bound(const Box& box) const {
             sides[axis] = formula::Interval(low, high);
         }
         formula::Interval value;
-        formula::Evaluator<formula::Interval>(parts_->programs->enclosure)
+        formula::Evaluator<formula::Interval>(formula::value_enclosure(*parts_->field))
             .point(formula::convert<formula::Interval>(parts_->bindings), sides, {&value, 1});
         return Interval{value.lo, value.hi};
     });

@@ -444,9 +444,37 @@ TEST(Enclosure, BlocksGiveWhatSinglePointsGive) {
     }
 }
 
+// A copy shares what was derived; a field of other values has its own.
+TEST(EnclosurePrograms, AreDerivedOnce) {
+    const Field field = make_field("floor(x) + y^2", {});
+    const Field copy = field;
+    EXPECT_EQ(&enclosure_programs(field), &enclosure_programs(copy));
+    EXPECT_EQ(&value_enclosure(field), &value_enclosure(copy));
+    const Field twice = scaled(field, 2);
+    const Field walls = with_walls(field, 0.1);
+    const auto value_at_a_place = [](const Field& of) {
+        Interval value;
+        const std::array<Interval, 3> place{1, 1, 0};
+        Evaluator<Interval>(value_enclosure(of)).point({}, place, {&value, 1});
+        return value;
+    };
+    EXPECT_EQ(value_at_a_place(field), Interval(2));
+    EXPECT_EQ(value_at_a_place(twice), Interval(4));
+    // A jump of F across 0 is a root only where jumps are walls.
+    const auto may_jump = [](const Field& of) {
+        const std::array<Interval, 3> about{Interval(0.5, 1.5), 0, 0};
+        std::array<Interval, 2> jump;
+        Evaluator<Interval>(enclosure_programs(of).jumps).point({}, about, jump);
+        return jump[0] != Interval(0);
+    };
+    EXPECT_TRUE(may_jump(field));
+    EXPECT_FALSE(may_jump(walls));
+}
+
 // F, dF/dt and the gradient of dF/dt, against what is worked out by hand of x^3 y + 2 y z - z^2.
 TEST(HessianProgram, OfAPolynomialIsItsSecondDerivatives) {
-    const auto program = hessian_program(make_field("x^3*y + 2*y*z - z^2", test_vocabulary()));
+    const Field field = make_field("x^3*y + 2*y*z - z^2", test_vocabulary());
+    const auto& program = hessian_program(field);
     ASSERT_TRUE(program);
     Evaluator<Interval> evaluator(*program);
     const Bindings<Interval> bindings = convert<Interval>(test_bindings());
@@ -488,7 +516,8 @@ TEST(HessianProgram, OfAPolynomialIsItsSecondDerivatives) {
 
 TEST(HessianProgram, IsOfNoOtherField) {
     for (const char* text : {"exp(x) + y", "1/x + y^2 + z", "sqrt(x) + y", "abs(x) + z^2"}) {
-        EXPECT_FALSE(hessian_program(make_field(text, test_vocabulary()))) << text;
+        const Field field = make_field(text, test_vocabulary());
+        EXPECT_FALSE(hessian_program(field)) << text;
     }
 }
 

@@ -12,7 +12,8 @@ namespace isomotion::formula {
 namespace {
 
 bool is_rough(const char* formula, const Interval& x) {
-    const Program program = enclosure_programs(make_field(formula, test_vocabulary())).rough;
+    const Field field = make_field(formula, test_vocabulary());
+    const Program program = enclosure_programs(field).rough;
     const std::array<Interval, 3> box{x, Interval(1), Interval(1)};
     std::array<Interval, 2> found;
     Evaluator<Interval>(program).point(convert<Interval>(test_bindings()), box, found);

@@ -159,7 +159,8 @@ TEST(Tape, KeepsWhatTellsJumps) {
     everywhere.fill({-2, 2});
     int infinite = 0;
     for (const char* formula : {"sign(x) + 0.5", "sign(x)*y + floor(z)", "floor(3*x)*y - z"}) {
-        const EnclosurePrograms programs = enclosure_programs(make_field(formula, {}));
+        const Field field = make_field(formula, {});
+        const EnclosurePrograms& programs = enclosure_programs(field);
         const Tape whole =
             tape_of(std::array<TapeSource, 3>{
                         {{programs.value}, {programs.breaks, 0}, {programs.directional, 1, 1}}})
