@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "accuracy/truth_cache.h"
+#include "scene/nth_surface.h"
 
 namespace isomotion::accuracy {
 namespace {
@@ -29,7 +30,7 @@ Measurement measure_one(gpu::Context& context, const scene::Scene& scene, const 
     options.stage = how.stage;
     render::Renderer timed(context, changed, options);
     options.channels = compared_channels;
-    if (!scene.others.empty()) options.channels.push_back(synthesis::Channel::surface);
+    if (scene::has_several_surfaces(scene)) options.channels.push_back(synthesis::Channel::surface);
     if (scene.isolation.certify) options.channels.push_back(synthesis::Channel::proof);
     render::Renderer looked_at(context, changed, options);
     Popping popping;

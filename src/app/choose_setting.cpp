@@ -8,6 +8,7 @@
 #include "accuracy/measure.h"
 #include "accuracy/truth_cache.h"
 #include "app/progress.h"
+#include "scene/nth_surface.h"
 #include "scene/surfaces.h"
 
 namespace isomotion::app {
@@ -100,7 +101,7 @@ std::optional<std::vector<scene::Isolation>> choose_settings(gpu::Context& conte
                                                              const std::vector<int>& frames,
                                                              const SettingChoice& choice) {
     const Measuring measuring(context, frames, choice);
-    if (scene.others.empty()) {
+    if (!scene::has_several_surfaces(scene)) {
         const auto only = choose_setting(measuring, scene, choice, choice.max_wrong);
         if (!only) return std::nullopt;
         return std::vector{*only};
@@ -114,7 +115,7 @@ std::optional<std::vector<scene::Isolation>> choose_settings(gpu::Context& conte
                                         choice.max_wrong / double(names.size()));
         if (!one) return std::nullopt;
         all.push_back(*one);
-        (k == 0 ? chosen : chosen.others[k - 1]).isolation = *one;
+        scene::nth_surface(chosen, k).isolation = *one;
     }
     const Measurement together = measuring.measure(chosen, {own_setting(chosen.isolation)}).front();
     if (!choice.quiet) {

@@ -1,5 +1,7 @@
 #include "app/frame_progress.h"
 
+#include "scene/nth_surface.h"
+
 #include <algorithm>
 #include <vector>
 
@@ -26,8 +28,7 @@ std::string what_costs(const scene::Scene& scene) {
         mirrors |= one.material.reflection == scene::Material::Reflection::self;
         certifies |= one.isolation.certify;
     };
-    look_at(scene);
-    std::ranges::for_each(scene.others, look_at);
+    scene::for_each_surface(scene, look_at);
     if (depth > 0) costs.push_back(fmt::format("glass {} rays deep (material.glass.depth)", depth));
     if (mirrors) costs.emplace_back("mirrors (material.reflection)");
     if (certifies) costs.emplace_back("proofs (--certify)");

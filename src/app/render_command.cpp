@@ -19,6 +19,7 @@
 #include "image/frame.h"
 #include "scene/found_bounds.h"
 #include "scene/method.h"
+#include "scene/nth_surface.h"
 #include "scene/sight.h"
 #include "scene/surfaces.h"
 #include "sequence/exporter.h"
@@ -103,12 +104,12 @@ std::vector<std::pair<std::string, scene::Sight>> sights_of(const sequence::Expo
     const scene::Scene& scene = exporter.scene();
     const int frame = exporter.options().frames.front();
     const scene::SceneAt now = scene::at(scene, scene.timeline.values(frame));
-    if (scene.others.empty()) return {{"", scene::sight(scene, now)}};
+    if (!scene::has_several_surfaces(scene)) return {{"", scene::sight(scene, now)}};
     std::vector<std::pair<std::string, scene::Sight>> sights;
-    for (std::size_t k = 0; k <= scene.others.size(); ++k) {
+    for (std::size_t k = 0; k < scene::surface_count(scene); ++k) {
         const scene::Scene one = scene::of_surface(scene, int(k));
         sights.emplace_back(fmt::format("surface '{}': ", one.surface.label),
-                            scene::sight(one, k == 0 ? now : now.others[k - 1]));
+                            scene::sight(one, scene::nth_surface(now, k)));
     }
     return sights;
 }

@@ -14,6 +14,7 @@
 #include "base/printable.h"
 #include "image/environment.h"
 #include "render/stage.h"
+#include "scene/nth_surface.h"
 #include "scene/reading/load.h"
 #include "scene/scene_at.h"
 #include "scene/sight.h"
@@ -223,7 +224,7 @@ int show(const ShowArguments& arguments) {
         now = scene::at(scene, values);
         print_result("{}\n", scene.title);
     }
-    for (int k = 0; k <= int(scene.others.size()); ++k) {
+    for (int k = 0; k < int(scene::surface_count(scene)); ++k) {
         const scene::Scene surface = scene::of_surface(scene, k);
         const std::int64_t pixels = std::int64_t(scene.output.width) * scene.output.height;
         const synthesis::Passes passes =
@@ -231,7 +232,7 @@ int show(const ShowArguments& arguments) {
                                 {.stage = stage_of(arguments),
                                  .branches = stage_of(arguments) == synthesis::Stage::compute,
                                  .pixels = pixels});
-        if (!scene.others.empty()) {
+        if (scene::has_several_surfaces(scene)) {
             print_result("{}surface   {}: {} of {}\n", lists ? "\n" : "// ##### ",
                          surface.surface.label, k + 1, scene.among.count);
         }
@@ -239,10 +240,8 @@ int show(const ShowArguments& arguments) {
             print_pass(pass_named(passes, arguments.pass));
         } else if (arguments.shader) {
             print_passes(passes);
-        } else if (k == 0) {
-            print_surface(surface, passes, *now, values, frame);
         } else {
-            print_surface(surface, passes, now->others[std::size_t(k - 1)],
+            print_surface(surface, passes, scene::nth_surface(*now, std::size_t(k)),
                           surface.timeline.values(frame), frame);
         }
     }

@@ -23,6 +23,7 @@
 #include "image/encode.h"
 #include "render/renderer.h"
 #include "scene/found_bounds.h"
+#include "scene/nth_surface.h"
 #include "scene/reading/load.h"
 #include "scene/surfaces.h"
 #include "scene/unbounded.h"
@@ -342,7 +343,7 @@ int topology_of(TopologyArguments arguments) {
     if (!scene.sections.empty() && !arguments.quiet) {
         message("sections cut what is seen; the topology is that of the whole surface\n");
     }
-    if (!scene.others.empty()) return contacts_of(arguments, loaded);
+    if (scene::has_several_surfaces(scene)) return contacts_of(arguments, loaded);
     const auto frames = span_of(arguments.frames, scene);
     std::optional<topology::Expectation> expectation;
     if (!arguments.check.empty()) {

@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include "scene/nth_surface.h"
 #include "scene/scene_at.h"
 #include "scene/surfaces.h"
 #include "topology/timeline/contact_words.h"
@@ -40,7 +41,7 @@ std::vector<SolidChoice> parse_solids(const std::vector<std::string>& texts,
                 "is; for one of several surfaces NAME=negative",
                 text));
         }
-        if (is_named && scene.others.empty()) {
+        if (is_named && !scene::has_several_surfaces(scene)) {
             throw std::invalid_argument(
                 fmt::format("--solid {}: the scene has one surface; write --solid {}", text, side));
         }

@@ -8,6 +8,7 @@
 
 #include <fmt/format.h>
 
+#include "scene/nth_surface.h"
 #include "truth/cut_rays.h"
 #include "truth/nearest.h"
 #include "truth/tube.h"
@@ -94,8 +95,7 @@ std::vector<int> pixels_of_frame(int width, int height, int count, int frame) {
 
 Auditor::Auditor(const scene::Scene& scene)
     : scene_(scene) {
-    fields_.emplace_back(scene);
-    for (const scene::Scene& other : scene.others) fields_.emplace_back(other);
+    scene::for_each_surface(scene, [&](const scene::Scene& one) { fields_.emplace_back(one); });
 }
 
 namespace {
@@ -112,8 +112,8 @@ double operations_of(const scene::Scene& scene) {
 } // namespace
 
 double Auditor::operations_at_a_point() const {
-    double sum = operations_of(scene_);
-    for (const scene::Scene& other : scene_.others) sum += operations_of(other);
+    double sum = 0;
+    scene::for_each_surface(scene_, [&](const scene::Scene& one) { sum += operations_of(one); });
     return sum;
 }
 
@@ -127,7 +127,7 @@ Findings Auditor::hold(int frame, const scene::SceneAt& now, const scene::Aim& a
     std::vector<truth::EnclosedField::Frame> fields;
     std::vector<truth::RootFinder> finders;
     for (std::size_t k = 0; k < fields_.size(); ++k) {
-        const scene::SceneAt& surface = k == 0 ? now : now.others[k - 1];
+        const scene::SceneAt& surface = scene::nth_surface(now, k);
         sections.emplace_back(surface);
         fields.push_back(fields_[k].at(surface, 1, k == 0 ? std::move(grid) : nullptr));
     }

@@ -20,6 +20,7 @@
 #include "render/march_plan.h"
 #include "render/sample_pattern.h"
 #include "scene/color_map.h"
+#include "scene/nth_surface.h"
 #include "synthesis/beam_copies_text.h"
 #include "synthesis/effect.h"
 #include "synthesis/effect_text.h"
@@ -182,16 +183,15 @@ bool can_go_through_all(const WebSurface& web) {
 // Named as in the player where there are several surfaces.
 Json sliders_of(const WebScene& web) {
     Json all = Json::array();
-    int index = -1;
-    for (const WebSurface* surface : web.surfaces()) {
-        ++index;
-        if (!can_go_through_all(*surface)) continue;
-        const scene::Scene& scene = surface->scene;
-        const std::string prefix = web.others.empty() ? "" : scene.surface.label + "/";
+    const std::size_t count = web.surfaces.size();
+    for (std::size_t k = 0; k < count; ++k) {
+        if (!can_go_through_all(web.surfaces[k])) continue;
+        const scene::Scene& scene = web.surfaces[k].scene;
+        const std::string prefix = count == 1 ? "" : scene.surface.label + "/";
         for (const player::SliderRange& range : player::slider_ranges(scene)) {
             if (!(range.least < range.most) || !can_be_held(scene, range.track)) continue;
             all.push_back({{"name", prefix + range.name},
-                           {"surface", index},
+                           {"surface", k},
                            {"place", range.track},
                            {"least", range.least},
                            {"most", range.most}});
@@ -216,7 +216,7 @@ std::string kind_of(player::TimelineMarker::Kind kind) {
 Json markers_of(const scene::Scene& scene, const PageOptions& options) {
     Json all = Json::array();
     // A timeline is of one surface.
-    if (!scene.formula.empty() || !scene.others.empty()) return all;
+    if (!scene.formula.empty() || scene::has_several_surfaces(scene)) return all;
     const auto found = player::read_topology_markers(scene, player::timeline_path(scene));
     if (!found.refusal.empty() && options.warn) options.warn(found.refusal);
     for (const player::TimelineMarker& marker : found.markers) {
@@ -330,10 +330,10 @@ Json surface_of(const WebSurface& web, const SurfaceValues& values, Texts& texts
 } // namespace
 
 std::string formulas_of(const WebScene& web) {
-    if (web.others.empty()) return web.scene.surface.field->text;
+    if (web.surfaces.size() == 1) return web.first().scene.surface.field->text;
     std::string all;
-    for (const WebSurface* surface : web.surfaces()) {
-        const scene::Surface& its = surface->scene.surface;
+    for (const WebSurface& surface : web.surfaces) {
+        const scene::Surface& its = surface.scene.surface;
         all += fmt::format("{}{}: {}", all.empty() ? "" : "\n", its.label, its.field->text);
     }
     return all;
@@ -366,10 +366,9 @@ std::string description(const WebScene& web, const FrameValues& values,
     all["sliders"] = sliders_of(web);
     all["markers"] = markers_of(scene, options);
     if (options.report) all["accuracy"] = accuracy_of(scene, *options.report);
-    all["tile"] = web.plan.march.tile_width;
-    all["surfaces"] = Json::array({surface_of(web, values, texts)});
-    for (std::size_t k = 0; k < web.others.size(); ++k)
-        all["surfaces"].push_back(surface_of(web.others[k], values.others[k], texts));
+    all["tile"] = web.first().plan.march.tile_width;
+    for (std::size_t k = 0; k < web.surfaces.size(); ++k)
+        all["surfaces"].push_back(surface_of(web.surfaces[k], values[k], texts));
     all["lines"] = texts.all();
     if (environment) all["environment"] = {environment->map.width, environment->map.height};
     if (environment && environment->levels)

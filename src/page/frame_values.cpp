@@ -19,6 +19,7 @@
 #include "render/uniform_blocks.h"
 #include "scene/error.h"
 #include "scene/near_elements.h"
+#include "scene/nth_surface.h"
 #include "scene/scene_at.h"
 #include "synthesis/effect.h"
 
@@ -205,8 +206,8 @@ double bytes_of(const SurfaceValues& values, std::size_t rows) {
 
 // Columns that move go on moving: a few rows show whether there is too much.
 void expect_little_data(const scene::Scene& scene, const FrameValues& values, std::size_t rows) {
-    double bytes = bytes_of(values, rows);
-    for (const SurfaceValues& other : values.others) bytes += bytes_of(other, rows);
+    double bytes = 0;
+    for (const SurfaceValues& surface : values) bytes += bytes_of(surface, rows);
     if (bytes <= double(most_value_bytes)) return;
     throw scene::SceneError(fmt::format(
         "{}: the values of {} frames are {:.0f} MB or more; a page holds at most {}: take fewer "
@@ -256,16 +257,13 @@ std::vector<const ValueTable*> SurfaceValues::tables() const {
 
 FrameValues frame_values(const WebScene& web) {
     const scene::Scene& scene = web.whole;
-    FrameValues values;
-    values.others.resize(web.others.size());
+    FrameValues values(web.surfaces.size());
     std::vector<SurfaceRows> rows;
-    for (const WebSurface* surface : web.surfaces()) rows.emplace_back(*surface);
-    for (std::size_t k = 0; k < rows.size(); ++k)
-        rows[k].prepare(k == 0 ? values : values.others[k - 1]);
+    for (const WebSurface& surface : web.surfaces) rows.emplace_back(surface);
+    for (std::size_t k = 0; k < rows.size(); ++k) rows[k].prepare(values[k]);
     const auto add = [&](const scene::SceneAt& now) {
-        rows[0].add(now, true, values);
-        for (std::size_t k = 1; k < rows.size(); ++k)
-            rows[k].add(now.others[k - 1], false, values.others[k - 1]);
+        for (std::size_t k = 0; k < rows.size(); ++k)
+            rows[k].add(scene::nth_surface(now, k), k == 0, values[k]);
     };
     const std::vector<double> parts = moments(scene);
     std::vector<double> times;
@@ -276,9 +274,8 @@ FrameValues frame_values(const WebScene& web) {
         }
         expect_little_data(scene, values, std::size_t(scene.timeline.frames) * parts.size());
     }
-    leave_out(web, times, values);
-    for (std::size_t k = 0; k < web.others.size(); ++k)
-        leave_out(web.others[k], times, values.others[k]);
+    for (std::size_t k = 0; k < web.surfaces.size(); ++k)
+        leave_out(web.surfaces[k], times, values[k]);
     return values;
 }
 

@@ -40,10 +40,7 @@ struct SurfaceValues {
     std::vector<const ValueTable*> tables() const;
 };
 
-// As in scene::Scene, the first surface stands for all.
-struct FrameValues : SurfaceValues {
-    std::vector<SurfaceValues> others;
-};
+using FrameValues = std::vector<SurfaceValues>; // of the surfaces in the file's order
 
 // The fractions of a frame's duration at its moments: 0 first, and only 0 without motion blur.
 std::vector<double> moments(const scene::Scene& scene);

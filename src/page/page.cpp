@@ -8,6 +8,7 @@
 #include "page/description.h"
 #include "page/embedded_files.h"
 #include "page/html.h"
+#include "scene/nth_surface.h"
 #include "scene/unbounded.h"
 
 namespace isomotion::page {
@@ -38,15 +39,13 @@ std::vector<std::byte> data_of(const WebScene& web, const PageOptions& options) 
     std::vector<std::byte> data;
     append_word(data, described.size());
     append(data, described);
-    const auto append_values = [&](const SurfaceValues& of) {
-        for (const ValueTable* table : of.tables()) table->pack(data);
-        for (const auto& computed : of.computed) {
+    for (const SurfaceValues& surface : values) {
+        for (const ValueTable* table : surface.tables()) table->pack(data);
+        for (const auto& computed : surface.computed) {
             if (computed) pack(*computed, data);
         }
-        data.insert(data.end(), of.grids.begin(), of.grids.end());
-    };
-    append_values(values);
-    for (const SurfaceValues& other : values.others) append_values(other);
+        data.insert(data.end(), surface.grids.begin(), surface.grids.end());
+    }
     const auto append_texels = [&](const EnvironmentMap& map) {
         data.insert(data.end(), map.texels.begin(), map.texels.end());
     };
@@ -66,11 +65,11 @@ std::string movie_element(std::span<const std::byte> movie) {
 void warn_of_unbounded(const scene::Scene& scene, const PageOptions& options) {
     if (!options.warn) return;
     const scene::SceneAt first = scene::at(scene, scene.timeline.values(1));
-    const auto warn = [&](const scene::Scene& surface, const scene::SceneAt& now) {
-        if (const auto why = scene::why_unbounded(surface, now)) options.warn(*why);
-    };
-    warn(scene, first);
-    for (std::size_t k = 0; k < scene.others.size(); ++k) warn(scene.others[k], first.others[k]);
+    for (std::size_t k = 0; k < scene::surface_count(scene); ++k) {
+        const auto why =
+            scene::why_unbounded(scene::nth_surface(scene, k), scene::nth_surface(first, k));
+        if (why) options.warn(*why);
+    }
 }
 
 } // namespace

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "scene/error.h"
+#include "scene/nth_surface.h"
 #include "scene/surfaces.h"
 #include "synthesis/assemble.h"
 #include "synthesis/inlined_size.h"
@@ -50,15 +51,13 @@ void expect_few_elements(const scene::Scene& scene, const synthesis::Passes& pas
 }
 
 void expect_known(const scene::Scene& scene) {
-    if (scene.others.empty()) return;
-    const auto expect_no_glass = [](const scene::Scene& surface) {
+    if (!scene::has_several_surfaces(scene)) return;
+    scene::for_each_surface(scene, [](const scene::Scene& surface) {
         if (!surface.material.glass) return;
         refuse(surface, "material.transmission",
                "a page shows glass of one surface alone; leave it out, or share a movie (isomotion "
                "render --movie)");
-    };
-    expect_no_glass(scene);
-    for (const scene::Scene& other : scene.others) expect_no_glass(other);
+    });
 }
 
 WebSurface web_surface(scene::Scene scene) {
@@ -76,31 +75,25 @@ WebSurface web_surface(scene::Scene scene) {
 }
 
 // Makes surfaces agree as render::plan_surfaces() does.
-void agree(WebScene& web) {
-    std::vector<synthesis::Passes*> passes{&web.passes};
-    render::MarchPlan& plan = web.plan.march;
-    for (WebSurface& other : web.others) {
-        passes.push_back(&other.passes);
-        plan.tile_width = std::min(plan.tile_width, other.plan.march.tile_width);
-        plan.tile_height = std::min(plan.tile_height, other.plan.march.tile_height);
+void agree(std::vector<WebSurface>& surfaces) {
+    std::vector<synthesis::Passes*> passes;
+    render::MarchPlan& plan = surfaces.front().plan.march;
+    for (WebSurface& one : surfaces) {
+        passes.push_back(&one.passes);
+        plan.tile_width = std::min(plan.tile_width, one.plan.march.tile_width);
+        plan.tile_height = std::min(plan.tile_height, one.plan.march.tile_height);
     }
     synthesis::agree_on_draws(passes);
 }
 
 } // namespace
 
-std::vector<const WebSurface*> WebScene::surfaces() const {
-    std::vector<const WebSurface*> all{this};
-    for (const WebSurface& other : others) all.push_back(&other);
-    return all;
-}
-
 WebScene web_scene(scene::Scene scene) {
     expect_known(scene);
-    WebScene web{web_surface(scene::of_surface(scene, 0)), {}, {}};
-    for (int k = 1; k <= int(scene.others.size()); ++k)
-        web.others.push_back(web_surface(scene::of_surface(scene, k)));
-    if (!web.others.empty()) agree(web);
+    WebScene web;
+    for (int k = 0; k < int(scene::surface_count(scene)); ++k)
+        web.surfaces.push_back(web_surface(scene::of_surface(scene, k)));
+    if (web.surfaces.size() > 1) agree(web.surfaces);
     web.whole = std::move(scene);
     return web;
 }

@@ -26,16 +26,15 @@ struct WebSurface {
     render::ScenePlan plan; // of a tile
 };
 
-// As in scene::Scene, the first surface stands for all.
-struct WebScene : WebSurface {
-    std::vector<WebSurface> others;
-    scene::Scene whole; // all surfaces, of which `scene` is the first alone
+struct WebScene {
+    std::vector<WebSurface> surfaces; // in the file's order
+    scene::Scene whole;
 
-    std::vector<const WebSurface*> surfaces() const;
+    const WebSurface& first() const { return surfaces.front(); } // has the shared settings
 };
 
-// Throws SceneError ("file:line: key: what is wrong, what would be right") for a scene that a page cannot
-// show, and std::length_error for a sum too long for a shader.
+// Throws SceneError ("file:line: key: what is wrong, what would be right") for a scene that a page
+// cannot show, and std::length_error for a sum too long for a shader.
 WebScene web_scene(scene::Scene scene);
 
 } // namespace isomotion::page

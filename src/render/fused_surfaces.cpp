@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "render/fused_pass.h"
+#include "scene/nth_surface.h"
 
 namespace isomotion::render {
 
@@ -22,7 +23,7 @@ void FusedSurfaces::draw(const PictureInputs& inputs, const gpu::Rectangle& tile
     for (std::size_t k = 0; k < all_.size(); ++k) {
         SurfacePasses& one = *all_[k];
         one.bind();
-        one.draw_beams(k == 0 ? inputs : inputs.others[k - 1], tile);
+        one.draw_beams(scene::nth_surface(inputs, k), tile);
         if (k > 0) {
             before_.copy_from(result_, one.table.in_targets(tile));
             one.table.bind_numbered("before_texture", before_);

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "render/open_squares.h"
+#include "scene/nth_surface.h"
 #include "synthesis/paths_text.h"
 
 namespace isomotion::render {
@@ -15,16 +16,12 @@ constexpr int textures_of_path_ends = 4; // shaders/surfaces/nearest.glsl
 
 } // namespace
 
-const scene::SceneAt& surface_of(const scene::SceneAt& now, int index) {
-    return index == 0 ? now : now.others[std::size_t(index - 1)];
-}
-
 std::vector<glm::vec4> matters_at(const scene::SceneAt& now, const scene::Among& among,
                                   double unit) {
     std::vector<glm::vec4> matters(2 * std::size_t(among.count), glm::vec4(0));
     for (std::size_t rank = 0; rank < among.matters.size(); ++rank) {
         const int k = among.matters[rank];
-        const scene::GlassAt& glass = surface_of(now, k).glass;
+        const scene::GlassAt& glass = scene::nth_surface(now, std::size_t(k)).glass;
         matters[2 * std::size_t(k)] = glm::dvec4(glass.ior, double(rank), 0, 0);
         matters[2 * std::size_t(k) + 1] = glm::dvec4(unit * glass.absorption, 0);
     }

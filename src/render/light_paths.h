@@ -14,8 +14,6 @@
 
 namespace isomotion::render {
 
-const scene::SceneAt& surface_of(const scene::SceneAt& now, int index);
-
 // Uniform `matters` of shaders/paths/matter.glsl for a surface whose formula's unit is `unit`.
 std::vector<glm::vec4> matters_at(const scene::SceneAt& now, const scene::Among& among,
                                   double unit);

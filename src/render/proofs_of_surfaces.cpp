@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "scene/nth_surface.h"
 #include "scene/rays.h"
 
 namespace isomotion::render {
@@ -26,12 +27,12 @@ double rounding_of_way(const scene::SceneAt& own, const scene::SceneAt& first, i
 } // namespace
 
 void see_others(PictureInputs& inputs, const scene::SceneAt& now, const scene::Aim& aim) {
-    const auto count = now.others.size() + 1;
+    const std::size_t count = scene::surface_count(now);
     const auto surface = [&](std::size_t k) -> const scene::SceneAt& {
-        return k == 0 ? now : now.others[k - 1];
+        return scene::nth_surface(now, k);
     };
     const auto rays = [&](std::size_t k) -> ProofRays& {
-        return k == 0 ? *inputs.proofs : *inputs.others[k - 1].proofs;
+        return *scene::nth_surface(inputs, k).proofs;
     };
     // In the world: how far a proved root may be from where it was found, and the largest rounding.
     double root = 0, most = 0;
@@ -67,7 +68,7 @@ ProofCounts ProofsOfSurfaces::prove(const PictureInputs& inputs, const gpu::Targ
     of_one_.resize(record.size());
     for (std::size_t k = 0; k < all_.size(); ++k) {
         SurfacePasses& one = *all_[k];
-        const ProofRays& rays = k == 0 ? *inputs.proofs : *inputs.others[k - 1].proofs;
+        const ProofRays& rays = *scene::nth_surface(inputs, k).proofs;
         const synthesis::Passes& passes = one.passes;
         one.bind();
         if (one.beams) one.beams->bind(one.table);

@@ -22,6 +22,7 @@
 #include "render/several_surfaces.h"
 #include "render/surface_passes.h"
 #include "render/velocity_pass.h"
+#include "scene/nth_surface.h"
 #include "scene/surfaces.h"
 #include "synthesis/effect_text.h"
 
@@ -130,7 +131,7 @@ struct Renderer::Parts {
     PictureInputs prepare(const scene::SceneAt& now, const scene::Aim& aim, const Motion* motion,
                           std::vector<SharedField>& fields) {
         const auto begin = std::chrono::steady_clock::now();
-        if (now.others.size() + 1 != surfaces.size())
+        if (scene::surface_count(now) != surfaces.size())
             throw std::logic_error("a time of a scene with other surfaces");
         fields.resize(surfaces.size());
         const int width = options.width, height = options.height;
@@ -138,12 +139,13 @@ struct Renderer::Parts {
         for (std::size_t k = 1; k < surfaces.size(); ++k) {
             std::optional<Motion> its;
             if (motion)
-                its = {motion->before.others[k - 1], motion->after.others[k - 1], motion->seconds};
+                its = {scene::nth_surface(motion->before, k), scene::nth_surface(motion->after, k),
+                       motion->seconds};
             inputs.others.push_back(surfaces[k]->prepare(
-                now.others[k - 1], aim, its ? &*its : nullptr, width, height, fields[k]));
+                scene::nth_surface(now, k), aim, its ? &*its : nullptr, width, height, fields[k]));
         }
         for (std::size_t k = 0; surfaces.size() > 1 && k < surfaces.size(); ++k) {
-            synthesis::Uniforms& effects = k == 0 ? inputs.effects : inputs.others[k - 1].effects;
+            synthesis::Uniforms& effects = scene::nth_surface(inputs, k).effects;
             const scene::Among& among = surfaces[k]->scene.among;
             for (auto& uniform : uniforms_among(now, among, width, height, aim))
                 effects.push_back(std::move(uniform));
@@ -201,11 +203,10 @@ struct Renderer::Parts {
         done = 0;
         const glm::ivec2 corner = plan.march.corner_of(options.width, options.height);
         for (const auto& surface : surfaces) surface->table.begin_tiles_at(corner);
-        own.upload(inputs, options.width, options.height);
+        for (std::size_t k = 0; k < surfaces.size(); ++k)
+            surfaces[k]->upload(scene::nth_surface(inputs, k), options.width, options.height);
         if (environment) table.bind("environment_map", *environment);
         if (environment_levels) table.bind("environment_levels", *environment_levels);
-        for (std::size_t k = 1; k < surfaces.size(); ++k)
-            surfaces[k]->upload(inputs.others[k - 1], options.width, options.height);
     }
 
     // Inputs must be for pictures of this size.
@@ -408,8 +409,8 @@ struct Renderer::Parts {
         std::vector<glm::dvec3> found(seen.size(), glm::dvec3(0));
         for (std::size_t k = 0; k < surfaces.size(); ++k) {
             surfaces[k]->bind();
-            const std::vector<glm::dvec3> its = velocity_of(
-                *surfaces[k], k == 0 ? inputs : inputs.others[k - 1], several->rays(k), tile);
+            const std::vector<glm::dvec3> its =
+                velocity_of(*surfaces[k], scene::nth_surface(inputs, k), several->rays(k), tile);
             for (std::size_t at = 0; at < seen.size(); ++at) {
                 if (seen[at] == int(k)) found[at] = its[at];
             }

@@ -1,6 +1,7 @@
 #include "render/several_surfaces.h"
 
 #include "render/motion.h"
+#include "scene/nth_surface.h"
 #include "synthesis/paths_text.h"
 
 namespace isomotion::render {
@@ -26,7 +27,7 @@ double depth_of(const scene::Rays& rays) {
 synthesis::Uniforms uniforms_among(const scene::SceneAt& now, const scene::Among& among, int width,
                                    int height, const scene::Aim& aim) {
     const int index = among.index;
-    const scene::SceneAt& own = surface_of(now, index);
+    const scene::SceneAt& own = scene::nth_surface(now, std::size_t(index));
     // Differences in double: the planes may be near each other and far from the eye.
     const double own_depth = depth_of(scene::rays(own, width, height, aim));
     const double first_depth = depth_of(scene::rays(now, width, height, aim));
@@ -34,11 +35,12 @@ synthesis::Uniforms uniforms_among(const scene::SceneAt& now, const scene::Among
     const glm::dvec4 way(unit, (unit * own_depth - first_depth) / own_depth, 0, 0);
 
     std::vector<glm::vec4> moves;
-    for (int k = 0; k <= int(now.others.size()); ++k) {
+    for (int k = 0; k < int(scene::surface_count(now)); ++k) {
         // A place on this surface stays to the bit.
-        const auto rows = k == index ? std::array{glm::vec4(1, 0, 0, 0), glm::vec4(0, 1, 0, 0),
-                                                  glm::vec4(0, 0, 1, 0)}
-                                     : change_of_place(surface_of(now, k).placement, own.placement);
+        const auto rows =
+            k == index
+                ? std::array{glm::vec4(1, 0, 0, 0), glm::vec4(0, 1, 0, 0), glm::vec4(0, 0, 1, 0)}
+                : change_of_place(scene::nth_surface(now, std::size_t(k)).placement, own.placement);
         moves.insert(moves.end(), rows.begin(), rows.end());
     }
     synthesis::Uniforms uniforms{{"surface_way", glm::vec4(way)}, {"surface_moves", moves}};
@@ -84,7 +86,7 @@ void SeveralSurfaces::find_ends(const PictureInputs& inputs, const gpu::Rectangl
     for (std::size_t k = 0; k < all_.size(); ++k) {
         SurfacePasses& one = *all_[k];
         one.bind();
-        one.draw_beams(k == 0 ? inputs : inputs.others[k - 1], tile);
+        one.draw_beams(scene::nth_surface(inputs, k), tile);
         one.table.bind_numbered("surface_texture", ends_.last());
         rays_[k] = &one.marcher.march(one.table, Role::march, tile, eye_[k], result, draws);
         one.table.draw(one.table.program(Role::surface), tile, ends_.next());

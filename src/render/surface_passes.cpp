@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "render/arithmetic_speed.h"
+#include "scene/nth_surface.h"
 #include "scene/surfaces.h"
 #include "synthesis/inlined_size.h"
 #include "synthesis/surfaces_text.h"
@@ -82,7 +83,7 @@ PlannedSurface::PlannedSurface(scene::Scene surface, const RenderOptions& option
 std::vector<PlannedSurface> plan_surfaces(const scene::Scene& scene, const RenderOptions& options,
                                           const gpu::ContextInfo& info) {
     std::vector<PlannedSurface> all;
-    for (int k = 0; k <= int(scene.others.size()); ++k)
+    for (int k = 0; k < int(scene::surface_count(scene)); ++k)
         all.emplace_back(scene::of_surface(scene, k), options, info);
     if (all.size() == 1) return all;
     std::vector<synthesis::Passes*> passes;

@@ -9,6 +9,7 @@
 #include "formula/enclosure.h"
 #include "formula/interval/interval_operations.h"
 #include "scene/error.h"
+#include "scene/nth_surface.h"
 #include "scene/scene_at.h"
 
 namespace isomotion::scene {
@@ -186,8 +187,9 @@ double rounded_up(double radius) {
 } // namespace
 
 bool are_bounds_found(const Scene& scene) {
-    const auto is_found = [](const Scene& one) { return one.surface.found_bounds.has_value(); };
-    return is_found(scene) || std::ranges::any_of(scene.others, is_found);
+    bool any = false;
+    for_each_surface(scene, [&](const Scene& one) { any |= one.surface.found_bounds.has_value(); });
+    return any;
 }
 
 std::optional<FoundBounds> find_bounds(const Scene& scene) {

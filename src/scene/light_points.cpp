@@ -1,5 +1,7 @@
 #include "scene/light_points.h"
 
+#include "scene/nth_surface.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -30,7 +32,7 @@ SceneAt lit_from(SceneAt now, const glm::dvec2& disc) {
         light.direction += light.radius * (disc.x * a + disc.y * b);
         if (!light.is_point) light.direction = glm::normalize(light.direction);
     }
-    for (SceneAt& other : now.others) other.lights = now.lights;
+    for_each_surface(now, [&](SceneAt& surface) { surface.lights = now.lights; });
     return now;
 }
 

@@ -9,6 +9,7 @@
 
 #include "scene/error.h"
 #include "scene/limits.h"
+#include "scene/nth_surface.h"
 #include "scene/shared_by_surfaces.h"
 #include "scene/value_error.h"
 
@@ -38,20 +39,19 @@ Ball ball_about(const SceneAt& now) {
 
 // A ball about the bounds of all surfaces.
 Ball ball_about_all(const SceneAt& now) {
-    Ball ball = ball_about(now);
-    if (now.others.empty()) return ball;
-    glm::dvec3 low = ball.centre - ball.radius, high = ball.centre + ball.radius;
-    for (const SceneAt& other : now.others) {
-        const Ball its = ball_about(other);
+    if (!has_several_surfaces(now)) return ball_about(now);
+    glm::dvec3 low(formula::infinity), high(-formula::infinity);
+    for_each_surface(now, [&](const SceneAt& surface) {
+        const Ball its = ball_about(surface);
         low = glm::min(low, its.centre - its.radius);
         high = glm::max(high, its.centre + its.radius);
-    }
+    });
     const glm::dvec3 centre = 0.5 * (low + high);
-    double radius = ball.radius + glm::length(ball.centre - centre);
-    for (const SceneAt& other : now.others) {
-        const Ball its = ball_about(other);
+    double radius = 0;
+    for_each_surface(now, [&](const SceneAt& surface) {
+        const Ball its = ball_about(surface);
         radius = std::max(radius, its.radius + glm::length(its.centre - centre));
-    }
+    });
     return {centre, radius};
 }
 

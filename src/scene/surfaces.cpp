@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "scene/error.h"
+#include "scene/nth_surface.h"
 #include "scene/shared_by_surfaces.h"
 
 namespace isomotion::scene {
@@ -17,34 +18,28 @@ bool mirrors_all(const Scene& surface) {
     return surface.material.reflection == Material::Reflection::self;
 }
 
-// All surfaces of a scene, in the file's order.
-std::vector<const Scene*> all_of(const Scene& scene) {
-    std::vector<const Scene*> all{&scene};
-    for (const Scene& other : scene.others) all.push_back(&other);
-    return all;
-}
-
 Among among_all(const Scene& scene, Among one) {
-    const std::vector<const Scene*> all = all_of(scene);
     one.mirrors = 0;
     one.matters.clear();
     one.depth = 0;
-    for (int k = 0; k < int(all.size()); ++k) {
-        const Material& material = all[std::size_t(k)]->material;
-        one.mirrors |= int(mirrors_all(*all[std::size_t(k)])) << k;
+    for (int k = 0; k < int(surface_count(scene)); ++k) {
+        const Scene& surface = nth_surface(scene, std::size_t(k));
+        const Material& material = surface.material;
+        one.mirrors |= int(mirrors_all(surface)) << k;
         if (!material.glass) continue;
         one.matters.push_back(k);
         one.depth = std::max(one.depth, material.glass->depth);
     }
-    std::ranges::stable_sort(one.matters, std::greater{},
-                             [&](int k) { return all[std::size_t(k)]->material.glass->priority; });
+    std::ranges::stable_sort(one.matters, std::greater{}, [&](int k) {
+        return nth_surface(scene, std::size_t(k)).material.glass->priority;
+    });
     return one;
 }
 
 } // namespace
 
 Scene of_surface(const Scene& scene, int index) {
-    Scene one = index == 0 ? scene : scene.others[std::size_t(index - 1)];
+    Scene one = nth_surface(scene, std::size_t(index));
     one.others.clear();
     if (scene.among.count > 1) one.among = among_all(scene, one.among);
     if (index == 0) return one;
@@ -55,7 +50,7 @@ Scene of_surface(const Scene& scene, int index) {
 
 Scene alone(const Scene& scene, int index) {
     // Its own tracks tell where camera and lights are.
-    Scene one = index == 0 ? scene : scene.others[std::size_t(index - 1)];
+    Scene one = nth_surface(scene, std::size_t(index));
     one.others.clear();
     one.among = {};
     if (!one.surface.label.empty()) one.title += fmt::format(" ({})", one.surface.label);
@@ -63,13 +58,13 @@ Scene alone(const Scene& scene, int index) {
 }
 
 std::vector<std::string> surface_names(const Scene& scene) {
-    std::vector<std::string> names{scene.surface.label};
-    for (const Scene& other : scene.others) names.push_back(other.surface.label);
+    std::vector<std::string> names;
+    for_each_surface(scene, [&](const Scene& one) { names.push_back(one.surface.label); });
     return names;
 }
 
 int surface_named(const Scene& scene, const std::string& name, const std::string& option) {
-    if (scene.others.empty())
+    if (!has_several_surfaces(scene))
         throw SceneError(fmt::format("{}: has one surface; leave {} out", scene.title, option));
     const std::vector<std::string> names = surface_names(scene);
     const auto found = std::ranges::find(names, name);
@@ -88,7 +83,7 @@ std::string place_of(const Scene& surface, const std::string& name) {
 }
 
 void expect_one_surface(const Scene& scene, const std::string& who) {
-    if (scene.others.empty()) return;
+    if (!has_several_surfaces(scene)) return;
     throw SceneError(fmt::format("{}: has {} surfaces ({}), and {} knows one", scene.title,
                                  scene.among.count, fmt::join(surface_names(scene), ", "), who));
 }

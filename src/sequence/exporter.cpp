@@ -12,6 +12,7 @@
 #include "animation/frame_range.h"
 #include "base/file.h"
 #include "render/exposure.h"
+#include "scene/nth_surface.h"
 #include "sequence/describe.h"
 #include "sequence/manifest.h"
 #include "sequence/movies/movie.h"
@@ -380,9 +381,8 @@ Exporter::Exporter(scene::Scene scene, ExportOptions options)
 }
 
 void Exporter::choose(std::span<const scene::Isolation> settings) {
-    scene_.isolation = settings.front();
-    for (std::size_t k = 0; k < scene_.others.size(); ++k)
-        scene_.others[k].isolation = settings[k + 1];
+    for (std::size_t k = 0; k < settings.size(); ++k)
+        scene::nth_surface(scene_, k).isolation = settings[k];
 }
 
 void Exporter::make_folders() const {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 
+#include "scene/nth_surface.h"
 #include "synthesis/section_text.h"
 
 namespace isomotion::synthesis {
@@ -195,16 +196,15 @@ const EffectTraits& traits(Effect effect) { return table[std::size_t(effect)]; }
 std::vector<Effect> effects(const Scene& scene) {
     std::vector<Effect> found;
     for (const EffectTraits& row : table) {
-        const bool is_called = row.is_called(scene) ||
-                               std::any_of(scene.others.begin(), scene.others.end(), row.is_called);
+        bool is_called = false;
+        scene::for_each_surface(scene, [&](const Scene& one) { is_called |= row.is_called(one); });
         if (is_called) found.push_back(row.effect);
     }
     return found;
 }
 
 Scene without(Effect effect, Scene scene) {
-    traits(effect).drop(scene);
-    for (Scene& other : scene.others) traits(effect).drop(other);
+    scene::for_each_surface(scene, traits(effect).drop);
     return scene;
 }
 

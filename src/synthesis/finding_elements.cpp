@@ -9,6 +9,7 @@
 
 #include "formula/element_kernels.h"
 #include "formula/linear_sum.h"
+#include "scene/nth_surface.h"
 #include "scene/surfaces.h"
 #include "synthesis/assemble.h"
 #include "synthesis/beam_text.h"
@@ -117,7 +118,7 @@ FieldStorage storage_of_elements(const scene::Scene& scene, const Drawing& drawi
 std::vector<std::int64_t> sizes_of_change(const scene::Scene& scene, const Drawing& drawing) {
     std::vector<std::int64_t> sizes;
     if (!drawing.writes_buffers || drawing.platform == Platform::webgl) return sizes;
-    for (int k = 0; k <= int(scene.others.size()); ++k) {
+    for (int k = 0; k < int(scene::surface_count(scene)); ++k) {
         const scene::Scene surface = scene::of_surface(scene, k);
         const std::vector<int> counts = surface.timeline.animation.counts();
         const auto by_place = array_to_find_by_place(surface, counts, drawing.platform);

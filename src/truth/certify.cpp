@@ -4,6 +4,7 @@
 #include <thread>
 
 #include "base/workers.h"
+#include "scene/nth_surface.h"
 #include "truth/cut_rays.h"
 #include "truth/field_at_frame.h"
 #include "truth/nearest.h"
@@ -49,15 +50,15 @@ Truth certify_one(const scene::Scene& scene, const scene::SceneAt& now, int widt
 
 Truth certify_all(const scene::Scene& scene, const scene::SceneAt& now, int width, int height,
                   const Certifying& how) {
-    const std::size_t count = 1 + now.others.size();
+    const std::size_t count = scene::surface_count(now);
     std::vector<Truth> each;
     Truth all{width, height, {}, 0};
     for (std::size_t k = 0; k < count; ++k) {
         Certifying one = how;
         if (how.progress)
             one.progress = [&](double part) { how.progress((double(k) + part) / double(count)); };
-        each.push_back(certify_one(k == 0 ? scene : scene.others[k - 1],
-                                   k == 0 ? now : now.others[k - 1], width, height, one));
+        each.push_back(certify_one(scene::nth_surface(scene, k), scene::nth_surface(now, k), width,
+                                   height, one));
         all.evaluations += each.back().evaluations;
     }
     const RaysOfSurfaces rays(now, width, height);
@@ -75,8 +76,8 @@ Truth certify_all(const scene::Scene& scene, const scene::SceneAt& now, int widt
 
 Truth certify(const scene::Scene& scene, const scene::SceneAt& now, int width, int height,
               const Certifying& how) {
-    return now.others.empty() ? certify_one(scene, now, width, height, how)
-                              : certify_all(scene, now, width, height, how);
+    return scene::has_several_surfaces(now) ? certify_all(scene, now, width, height, how)
+                                            : certify_one(scene, now, width, height, how);
 }
 
 } // namespace isomotion::truth

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "scene/nth_surface.h"
 #include "truth/outward.h"
 
 namespace isomotion::truth {
@@ -99,8 +100,7 @@ RaysOfSurfaces::RaysOfSurfaces(const scene::SceneAt& now, int width, int height,
         places_.push_back(surface.placement);
         tubes_.emplace_back(surface, width, height, aim);
     };
-    add(now);
-    for (const scene::SceneAt& other : now.others) add(other);
+    scene::for_each_surface(now, add);
 }
 
 FirstRoot RaysOfSurfaces::nearest(int column, int row,

@@ -4,6 +4,7 @@
 #include "api/scene/parts.h"
 #include "scene/data_folder.h"
 #include "scene/files_read.h"
+#include "scene/nth_surface.h"
 #include "scene/reading/load.h"
 #include "scene/surfaces.h"
 
@@ -26,9 +27,8 @@ Scene loaded(Scene::Parts parts) {
 
 // The one that is named, or the only one.
 const scene::Scene& surface_of(const scene::Scene& scene, const std::string& name) {
-    if (name.empty() && scene.others.empty()) return scene;
-    const int index = scene::surface_named(scene, name, "surface");
-    return index == 0 ? scene : scene.others[std::size_t(index - 1)];
+    if (name.empty() && !scene::has_several_surfaces(scene)) return scene;
+    return scene::nth_surface(scene, std::size_t(scene::surface_named(scene, name, "surface")));
 }
 
 } // namespace

@@ -2,6 +2,7 @@
 
 #include "api/scene/parts.h"
 #include "api/topology/errors.h"
+#include "scene/nth_surface.h"
 #include "scene/surfaces.h"
 #include "topology/subject.h"
 #include "topology/timeline/summary.h"
@@ -12,7 +13,8 @@ namespace isomotion {
 namespace {
 
 topology::Subject subject_of(const scene::Scene& scene, const TopologySettings& settings) {
-    if (scene.others.empty() && settings.surface.empty() && settings.touching.empty())
+    if (!scene::has_several_surfaces(scene) && settings.surface.empty() &&
+        settings.touching.empty())
         return {scene, {}, scene.title};
     const int first = scene::surface_named(scene, settings.surface, "surface");
     if (settings.touching.empty()) {

@@ -1,5 +1,7 @@
 #include "player/model/controls.h"
 
+#include "scene/nth_surface.h"
+
 #include <algorithm>
 #include <cmath>
 #include <set>
@@ -144,16 +146,12 @@ void put_surface(Overrides& all, const std::string& surface, const Overrides& ow
 }
 
 scene::Scene apply(scene::Scene scene, const Overrides& overrides) {
-    const auto move = [&](scene::Scene& surface) {
-        animation::Animation& animation = surface.timeline.animation;
-        animation = apply(animation, of_surface(overrides, surface.surface.label));
-    };
-    if (scene.others.empty()) {
-        scene.timeline.animation = apply(scene.timeline.animation, overrides);
-    } else {
-        move(scene);
-        for (scene::Scene& other : scene.others) move(other);
-    }
+    const bool has_several = scene::has_several_surfaces(scene);
+    scene::for_each_surface(scene, [&](scene::Scene& one) {
+        animation::Animation& animation = one.timeline.animation;
+        animation =
+            apply(animation, has_several ? of_surface(overrides, one.surface.label) : overrides);
+    });
     return scene;
 }
 

@@ -6,6 +6,7 @@
 #include "player/model/controls.h"
 #include "scene/cubic_steps.h"
 #include "scene/error.h"
+#include "scene/nth_surface.h"
 #include "scene/scene_at.h"
 #include "scene/surfaces.h"
 
@@ -25,11 +26,10 @@ formula::CubicSteps steps_of(const scene::Scene& surface) {
 
 scene::Scene with_own_steps(scene::Scene scene) {
     std::vector<formula::CubicSteps> steps;
-    for (int k = 0; k <= int(scene.others.size()); ++k)
-        steps.push_back(steps_of(scene::of_surface(scene, k)));
-    scene.surface.cubic_steps = steps[0];
-    for (std::size_t k = 0; k < scene.others.size(); ++k)
-        scene.others[k].surface.cubic_steps = steps[k + 1];
+    for (std::size_t k = 0; k < scene::surface_count(scene); ++k)
+        steps.push_back(steps_of(scene::of_surface(scene, int(k))));
+    for (std::size_t k = 0; k < steps.size(); ++k)
+        scene::nth_surface(scene, k).surface.cubic_steps = steps[k];
     return scene;
 }
 

@@ -4,6 +4,7 @@
 
 #include "player/model/memory.h"
 #include "scene/data_folder.h"
+#include "scene/nth_surface.h"
 #include "scene/surfaces.h"
 #include "topology/timeline/timeline_header.h"
 
@@ -41,7 +42,7 @@ fs::path LiveScene::timeline_file() const {
 
 std::vector<fs::path> LiveScene::timeline_files() const {
     const scene::Scene& scene = session.scene();
-    if (scene.others.empty()) return {timeline_file()};
+    if (!scene::has_several_surfaces(scene)) return {timeline_file()};
     std::vector<fs::path> files;
     for (const std::string& name : scene::surface_names(scene))
         files.push_back(timeline_path(scene, name));
@@ -54,10 +55,10 @@ void LiveScene::read_markers() {
     const fs::path own = timeline_file();
     std::error_code ignored;
     TopologyMarkers topology =
-        session.scene().others.empty()
-            ? read_topology_markers(session.scene(),
-                                    fs::exists(own, ignored) ? own : timeline_path(session.scene()))
-            : read_topology_markers_of_each(session.scene());
+        scene::has_several_surfaces(session.scene())
+            ? read_topology_markers_of_each(session.scene())
+            : read_topology_markers(
+                  session.scene(), fs::exists(own, ignored) ? own : timeline_path(session.scene()));
     markers_.insert(markers_.end(), topology.markers.begin(), topology.markers.end());
     events_ = std::move(topology.events);
     refusal_ = std::move(topology.refusal);

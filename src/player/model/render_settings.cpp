@@ -8,6 +8,7 @@
 
 #include "player/model/camera_text.h"
 #include "scene/method.h"
+#include "scene/nth_surface.h"
 
 namespace isomotion::player {
 namespace {
@@ -77,12 +78,13 @@ std::vector<scene::Override> render_settings(const Session& session) {
     const scene::Scene& scene = session.scene();
     std::vector<scene::Override> all;
     // The method at hand is the first surface's.
-    const std::string first = scene.others.empty() ? "" : "surfaces.1.";
-    if (scene.others.empty()) {
+    const bool has_several = scene::has_several_surfaces(scene);
+    const std::string first = has_several ? "surfaces.1." : "";
+    if (!has_several) {
         add_overrides(scene.timeline.animation, look.overrides, "", all);
     }
-    for (std::size_t k = 0; !scene.others.empty() && k <= scene.others.size(); ++k) {
-        const scene::Scene& surface = k == 0 ? scene : scene.others[k - 1];
+    for (std::size_t k = 0; has_several && k < scene::surface_count(scene); ++k) {
+        const scene::Scene& surface = scene::nth_surface(scene, k);
         add_overrides(surface.timeline.animation, of_surface(look.overrides, surface.surface.label),
                       fmt::format("surfaces.{}.", k + 1), all);
     }

@@ -8,6 +8,7 @@
 
 #include "player/ui/theme.h"
 #include "player/ui/widget_rects.h"
+#include "scene/nth_surface.h"
 
 namespace isomotion::player {
 namespace {
@@ -364,10 +365,9 @@ void parameter_sliders(const std::vector<Slider>& all, const std::vector<ArrayCo
 
 // Draws the sliders of each surface under its name.
 void parameters_of_surfaces(Look& look, const Session& session, const animation::Values& values) {
-    for (std::size_t k = 0; k <= session.scene().others.size(); ++k) {
-        const scene::Scene& surface = k == 0 ? session.scene() : session.scene().others[k - 1];
-        const scene::Scene& now =
-            k == 0 ? session.overridden() : session.overridden().others[k - 1];
+    for (std::size_t k = 0; k < scene::surface_count(session.scene()); ++k) {
+        const scene::Scene& surface = scene::nth_surface(session.scene(), k);
+        const scene::Scene& now = scene::nth_surface(session.overridden(), k);
         const std::string& name = surface.surface.label;
         const animation::Values its = k == 0 ? values : now.timeline.animation.at(values.time);
         Overrides own = of_surface(look.overrides, name);
@@ -384,7 +384,7 @@ void parameters_of_surfaces(Look& look, const Session& session, const animation:
 } // namespace
 
 void parameter_section(Look& look, const Session& session, const animation::Values& values) {
-    const bool has_several = !session.scene().others.empty();
+    const bool has_several = scene::has_several_surfaces(session.scene());
     const auto all = sliders(session.slider_ranges(), values, look.overrides);
     const auto arrays = array_controls(session.scene(), values, look.overrides);
     if (all.empty() && arrays.empty() && !has_several) return;

@@ -22,6 +22,7 @@
 #include "scene/elements_at_a_place.h"
 #include "scene/found_bounds.h"
 #include "scene/limits.h"
+#include "scene/nth_surface.h"
 #include "scene/reading/camera.h"
 #include "scene/reading/environment.h"
 #include "scene/reading/formula_scene.h"
@@ -446,8 +447,8 @@ void refuse_unused_arrays(const toml::node* table, const std::string& key,
 
 // A file may hold arrays that nothing uses; a count that was set is to have an effect.
 void refuse_unused_arrays(const toml::table& root, const Scene& scene) {
-    std::vector<const Scene*> surfaces{&scene};
-    for (const Scene& other : scene.others) surfaces.push_back(&other);
+    std::vector<const Scene*> surfaces;
+    for_each_surface(scene, [&](const Scene& one) { surfaces.push_back(&one); });
     refuse_unused_arrays(root.get("arrays"), "arrays", surfaces);
     if (!lists_surfaces(root)) return;
     for (std::size_t k = 0; k < surfaces.size(); ++k) {

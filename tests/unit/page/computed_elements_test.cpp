@@ -32,7 +32,7 @@ WebScene balls(const std::string& fields, int count = 12) {
 
 std::vector<int> fields_of(const WebScene& web) {
     const FrameValues values = frame_values(web);
-    return values.computed.at(0) ? values.computed[0]->fields : std::vector<int>{};
+    return values[0].computed.at(0) ? values[0].computed[0]->fields : std::vector<int>{};
 }
 
 TEST(ComputedElements, AreFieldsThatMoveByExpressionsAlone) {
@@ -56,9 +56,9 @@ TEST(ComputedElements, KeepWhatIntervalsDoNotTell) {
         "cx = 'sin((pi*t + 2.1) - 2.1)*(i + 1)'\ncy = 'cos(i + t)'\ncz = 0\n";
     const WebScene web = balls(moving);
     const FrameValues values = frame_values(web);
-    ASSERT_TRUE(values.computed[0]);
-    EXPECT_EQ(values.arrays[0].moving(), 0u);
-    const auto& exceptions = values.computed[0]->exceptions;
+    ASSERT_TRUE(values[0].computed[0]);
+    EXPECT_EQ(values[0].arrays[0].moving(), 0u);
+    const auto& exceptions = values[0].computed[0]->exceptions;
     // What rounding leaves of pi is some 1e-16, of which no float is certain, at the last of the
     // times; 0 is exact.
     ASSERT_THAT(exceptions, SizeIs(12));
@@ -86,10 +86,10 @@ TEST(ComputedElements, ArePackedAsCountAndWords) {
 TEST(ComputedElements, TellTheTracksThatTheyName) {
     const WebScene web = balls("cx = 'sin(i + a)'\ncy = 0\ncz = 0\n");
     const FrameValues values = frame_values(web);
-    ASSERT_TRUE(values.computed[0]);
-    const auto json = json_of(*values.computed[0], web.scene, 0);
+    ASSERT_TRUE(values[0].computed[0]);
+    const auto json = json_of(*values[0].computed[0], web.first().scene, 0);
     ASSERT_THAT(json["tracks"], SizeIs(1));
-    EXPECT_EQ(json["tracks"][0][0].get<int>(), *web.scene.timeline.animation.find("a"));
+    EXPECT_EQ(json["tracks"][0][0].get<int>(), *web.first().scene.timeline.animation.find("a"));
     EXPECT_TRUE(json["tracks"][0][1].contains("code"));
 }
 

@@ -13,6 +13,7 @@
 #include "page/description.h"
 #include "page/frame_values.h"
 #include "scene/error.h"
+#include "scene/nth_surface.h"
 #include "scene/reading/load.h"
 #include "synthesis/assemble.h"
 #include "synthesis/beam_copies_text.h"
@@ -61,9 +62,9 @@ TEST(WebScene, RefusesTooManyElementsAndSaysHowManyFit) {
 
 TEST(WebScene, IsOfGlslEsWithoutListsProofsOrBuffers) {
     const WebScene web = web_scene(scene_of(balls(900) + "[isolation]\ncertify = true\n"));
-    EXPECT_FALSE(web.passes.has(synthesis::Role::proof));
-    ASSERT_FALSE(web.passes.list.empty());
-    for (const synthesis::Pass& pass : web.passes.list) {
+    EXPECT_FALSE(web.first().passes.has(synthesis::Role::proof));
+    ASSERT_FALSE(web.first().passes.list.empty());
+    for (const synthesis::Pass& pass : web.first().passes.list) {
         SCOPED_TRACE(pass.name);
         EXPECT_THAT(pass.text, StartsWith("#version 300 es\n"));
         EXPECT_THAT(pass.vertex, StartsWith("#version 300 es\n"));
@@ -86,18 +87,18 @@ scene::Scene several(const std::string& more = "") {
 TEST(WebScene, OfSeveralSurfacesHasThePassesOfEach) {
     using synthesis::Role;
     const WebScene plain = web_scene(several());
-    ASSERT_EQ(plain.others.size(), 1u);
-    EXPECT_EQ(plain.whole.others.size(), 1u);
-    for (const WebSurface* surface : plain.surfaces()) {
-        EXPECT_TRUE(surface->passes.has(Role::fused));
-        EXPECT_TRUE(surface->scene.others.empty());
-        EXPECT_THAT(surface->passes.at(Role::fused).text, HasSubstr("surface_way"));
+    ASSERT_EQ(plain.surfaces.size(), 2u);
+    EXPECT_EQ(scene::surface_count(plain.whole), 2u);
+    for (const WebSurface& surface : plain.surfaces) {
+        EXPECT_TRUE(surface.passes.has(Role::fused));
+        EXPECT_FALSE(scene::has_several_surfaces(surface.scene));
+        EXPECT_THAT(surface.passes.at(Role::fused).text, HasSubstr("surface_way"));
     }
-    EXPECT_NE(plain.passes.fingerprint(), plain.others[0].passes.fingerprint());
+    EXPECT_NE(plain.surfaces[0].passes.fingerprint(), plain.surfaces[1].passes.fingerprint());
     const WebScene lit = web_scene(several("[[lights]]\ndirection = [1, 0, 0]\nshadow = true\n"));
-    for (const WebSurface* surface : lit.surfaces()) {
-        EXPECT_FALSE(surface->passes.has(Role::fused));
-        EXPECT_TRUE(surface->passes.has(Role::shadow));
+    for (const WebSurface& surface : lit.surfaces) {
+        EXPECT_FALSE(surface.passes.has(Role::fused));
+        EXPECT_TRUE(surface.passes.has(Role::shadow));
     }
 }
 
@@ -105,9 +106,9 @@ TEST(WebScene, OfSeveralSurfacesHasThePassesOfEach) {
 TEST(WebScene, SurfacesAreAllDrawnInOneDrawEachOrNone) {
     using synthesis::Role;
     scene::Scene scene = several();
-    scene.others[0].material.model = scene::Material::Model::ggx;
+    scene::nth_surface(scene, 1).material.model = scene::Material::Model::ggx;
     const WebScene web = web_scene(std::move(scene));
-    for (const WebSurface* surface : web.surfaces()) EXPECT_FALSE(surface->passes.has(Role::fused));
+    for (const WebSurface& surface : web.surfaces) EXPECT_FALSE(surface.passes.has(Role::fused));
 }
 
 TEST(WebScene, RefusesGlassAmongSeveralSurfaces) {
@@ -124,23 +125,23 @@ TEST(WebScene, RefusesGlassAmongSeveralSurfaces) {
     }
     const WebScene alone = web_scene(scene_of("formula = 'x^2 + y^2 + z^2 - 1'\nbounds = { sphere "
                                               "= 2 }\n[material]\ntransmission = 1\n"));
-    EXPECT_TRUE(alone.passes.has(synthesis::Role::glass));
+    EXPECT_TRUE(alone.first().passes.has(synthesis::Role::glass));
 }
 
 TEST(FrameValues, OfSeveralSurfacesHaveTheirRowsAndOneCamera) {
     const WebScene web = web_scene(several());
     const FrameValues values = frame_values(web);
-    ASSERT_EQ(values.others.size(), 1u);
-    for (const ValueTable* table : values.others[0].tables()) EXPECT_EQ(table->rows(), 5u);
+    ASSERT_EQ(values.size(), 2u);
+    for (const ValueTable* table : values[1].tables()) EXPECT_EQ(table->rows(), 5u);
     const auto has = [](const SurfaceValues& of, const std::string& name) {
         return std::ranges::count(of.view_places, name, &Place::name) == 1;
     };
-    EXPECT_TRUE(has(values, "position") && has(values, "translate"));
-    EXPECT_TRUE(!has(values.others[0], "position") && has(values.others[0], "translate"));
-    EXPECT_EQ(values.parameters.moving(), 1u) << "r of the ball";
-    EXPECT_EQ(values.others[0].parameters.moving(), 0u);
-    EXPECT_EQ(values.view.moving(), 0u);
-    EXPECT_EQ(values.others[0].view.moving(), 2u) << "the two words of a double";
+    EXPECT_TRUE(has(values[0], "position") && has(values[0], "translate"));
+    EXPECT_TRUE(!has(values[1], "position") && has(values[1], "translate"));
+    EXPECT_EQ(values[0].parameters.moving(), 1u) << "r of the ball";
+    EXPECT_EQ(values[1].parameters.moving(), 0u);
+    EXPECT_EQ(values[0].view.moving(), 0u);
+    EXPECT_EQ(values[1].view.moving(), 2u) << "the two words of a double";
 }
 
 TEST(Description, NamesSlidersBySurfaceWhereThereAreSeveral) {
@@ -183,7 +184,7 @@ TEST(WebScene, UpTo384ElementsAreCopiedToListsOfBeams) {
     using synthesis::Role;
     for (const int count : {9, 32, 33, 75, 129, 384}) {
         SCOPED_TRACE(count);
-        const synthesis::Passes passes = web_scene(scene_of(balls(count))).passes;
+        const synthesis::Passes passes = web_scene(scene_of(balls(count))).first().passes;
         EXPECT_TRUE(synthesis::has_copies(passes));
         EXPECT_FALSE(synthesis::array_with_grid(passes));
         // From many elements on in three levels, as `render` finds them.
@@ -209,14 +210,14 @@ TEST(WebScene, UpTo384ElementsAreCopiedToListsOfBeams) {
     }
     for (const std::string& scene :
          {balls(8), balls(385), balls(75) + "[[lights]]\ndirection = [1, 0, 0]\nshadow = true\n"})
-        EXPECT_FALSE(synthesis::has_copies(web_scene(scene_of(scene)).passes)) << scene;
+        EXPECT_FALSE(synthesis::has_copies(web_scene(scene_of(scene)).first().passes)) << scene;
 }
 
 // Rows of 16 elements, the last place of a list for its length.
 TEST(WebScene, ListsOfTheFirstBeamsHaveRoomForAllElements) {
     for (const int count : {9, 15, 16, 75, 383, 384}) {
         SCOPED_TRACE(count);
-        const synthesis::Passes passes = web_scene(scene_of(balls(count))).passes;
+        const synthesis::Passes passes = web_scene(scene_of(balls(count))).first().passes;
         const int texels = passes.arrays[0].texels;
         EXPECT_GE(rows_of_copies(passes, 0) * 16 / texels, count + 1);
         EXPECT_LT(rows_of_copies(passes, 0) * 16 / texels, count + 17);
@@ -244,13 +245,13 @@ TEST(WebScene, ListsFitIntoTheTexturesThatEveryBrowserHas) {
           std::pair{384, 2}, std::pair{384, 3}, std::pair{384, 4}, std::pair{128, 5}}) {
         SCOPED_TRACE(fmt::format("{} elements of {} texels", count, texels));
         const WebScene web = web_scene(scene_of(balls_of_texels(count, texels)));
-        const synthesis::Passes& passes = web.passes;
+        const synthesis::Passes& passes = web.first().passes;
         ASSERT_EQ(passes.arrays[0].texels, texels);
         ASSERT_TRUE(synthesis::has_copies(passes));
         int rows = 0;
         for (std::size_t level = 0; level < passes.beams.size(); ++level) {
             const synthesis::BeamLevel& beam = passes.beams[level];
-            const int across = (web.plan.march.tile_width + beam.block - 1) / beam.block;
+            const int across = (web.first().plan.march.tile_width + beam.block - 1) / beam.block;
             EXPECT_LE(16 * lists_of_a_block(beam) * across, 2048);
             rows += rows_of_copies(passes, int(level)) * across;
         }
@@ -263,13 +264,15 @@ TEST(WebScene, ListsThatWouldNotFitAreNotMade) {
     using synthesis::Role;
     for (const auto& [count, texels] : {std::pair{100, 8}, std::pair{384, 6}, std::pair{128, 12}}) {
         SCOPED_TRACE(fmt::format("{} elements of {} texels", count, texels));
-        const synthesis::Passes passes = web_scene(scene_of(balls_of_texels(count, texels))).passes;
+        const synthesis::Passes passes =
+            web_scene(scene_of(balls_of_texels(count, texels))).first().passes;
         EXPECT_TRUE(synthesis::array_with_grid(passes) || synthesis::copies_fit(passes));
         EXPECT_EQ(passes.has(Role::beam_copies), synthesis::has_copies(passes));
         for (const synthesis::BeamLevel& level : passes.beams)
             EXPECT_EQ(level.lists != synthesis::BeamLists::none, synthesis::has_copies(passes));
     }
-    EXPECT_FALSE(synthesis::has_copies(web_scene(scene_of(balls_of_texels(384, 12))).passes));
+    EXPECT_FALSE(
+        synthesis::has_copies(web_scene(scene_of(balls_of_texels(384, 12))).first().passes));
 }
 
 // A page that keeps no lists has fewer operations than `render` would compile.
@@ -277,7 +280,7 @@ TEST(WebScene, IsRefusedByTheLengthOfItsOwnShaders) {
     const scene::Scene scene = scene_of(balls_of_texels(12, 60));
     const double largest = synthesis::largest_shaders();
     EXPECT_GT(synthesis::inlined_size(synthesis::assemble(scene)), largest);
-    EXPECT_LT(synthesis::inlined_size(web_scene(scene).passes), largest);
+    EXPECT_LT(synthesis::inlined_size(web_scene(scene).first().passes), largest);
     std::string waves = "x";
     for (int k = 1; k < 700; ++k) waves += fmt::format(" + sin({}*y)*cos({}.5*z)", k, k);
     const std::string text = fmt::format("formula = '{}'\nbounds = {{ sphere = 2 }}\n", waves);
@@ -300,35 +303,37 @@ TEST(FrameValues, OfManyFramesTakeLittleWhereLittleMoves) {
                                "[parameters]\nr = '1 + 0.001*sin(t)'\n[time]\nframes = 20000\n";
     const FrameValues values = frame_values(web_scene(scene_of(sphere)));
     std::size_t moving = 0;
-    for (const ValueTable* table : values.tables()) moving += table->moving();
+    for (const ValueTable* table : values[0].tables()) moving += table->moving();
     EXPECT_EQ(moving, 1u);
 }
 
 TEST(FrameValues, HaveARowForEachMomentOfMotionBlur) {
     const std::string scene = balls(3) + "[time]\nframes = 5\nfps = 10\n[camera]\nshutter = 0.5\n";
     const WebScene web = web_scene(scene_of(scene + "[output]\nsamples = 4\n"));
-    EXPECT_THAT(moments(web.scene), testing::ElementsAre(0, 0.125, 0.25, 0.375));
-    EXPECT_EQ(frame_values(web).view.rows(), 20u);
+    EXPECT_THAT(moments(web.first().scene), testing::ElementsAre(0, 0.125, 0.25, 0.375));
+    EXPECT_EQ(frame_values(web)[0].view.rows(), 20u);
     EXPECT_THAT(moments(scene_of(balls(3))), testing::ElementsAre(0));
 }
 
 TEST(FrameValues, HaveAGridOfElementsThatAreFoundByPlace) {
     const WebScene web = web_scene(scene_of(balls(400) + "[time]\nframes = 2\n"));
-    ASSERT_TRUE(synthesis::array_with_grid(web.passes));
-    EXPECT_FALSE(frame_values(web).grids.empty());
-    EXPECT_TRUE(frame_values(web_scene(scene_of(balls(20)))).grids.empty());
+    ASSERT_TRUE(synthesis::array_with_grid(web.first().passes));
+    EXPECT_FALSE(frame_values(web)[0].grids.empty());
+    EXPECT_TRUE(frame_values(web_scene(scene_of(balls(20))))[0].grids.empty());
 }
 
 TEST(FrameValues, AreARowAFrameAndAsLongAsTheShadersRead) {
     const WebScene web = web_scene(scene_of(balls(10) + "[time]\nframes = 7\n"));
     const FrameValues values = frame_values(web);
-    for (const ValueTable* table : values.tables()) EXPECT_EQ(table->rows(), 7u) << table->name();
-    ASSERT_EQ(values.arrays.size(), 1u);
-    EXPECT_EQ(values.arrays[0].width(), std::size_t(4 * 10 * web.passes.arrays[0].texels));
-    EXPECT_EQ(values.parameters.width(), std::size_t(4 * web.passes.vectors()));
+    for (const ValueTable* table : values[0].tables())
+        EXPECT_EQ(table->rows(), 7u) << table->name();
+    ASSERT_EQ(values[0].arrays.size(), 1u);
+    EXPECT_EQ(values[0].arrays[0].width(),
+              std::size_t(4 * 10 * web.first().passes.arrays[0].texels));
+    EXPECT_EQ(values[0].parameters.width(), std::size_t(4 * web.first().passes.vectors()));
     std::size_t numbers = 0;
-    for (const Place& place : values.view_places) numbers += std::size_t(place.count);
-    EXPECT_EQ(values.view.width(), 2 * numbers);
+    for (const Place& place : values[0].view_places) numbers += std::size_t(place.count);
+    EXPECT_EQ(values[0].view.width(), 2 * numbers);
 }
 
 } // namespace
