@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "render/drawing.h"
+#include "render/exposure.h"
 #include "scene/method.h"
 #include "truth/first_root.h"
 
@@ -222,6 +223,31 @@ TEST(ShadowRays, StandStillNowhere) {
         most = std::max(most, shadow.most);
     }
     EXPECT_LT(most, 800); // of two rays
+}
+
+// The penumbrae of a wide light along creases, sampled 1,024 times: rays that go by cubics, and end
+// undecided after some evaluations, see what rays that go by bounds alone see.
+TEST(ShadowRays, OfWideLightsAreThoseOfBounds) {
+    const auto exposed = [](const std::string& formula, const char* method) {
+        const scene::Scene scene =
+            scene_of(fmt::format("[surface]\nformula = '{}'\nbounds = {{ sphere = 1.8 }}\n"
+                                 "[isolation]\nmethod = '{}'\n[material]\ncolor = [1, 1, 1]\n"
+                                 "[[lights]]\ndirection = [0.3, 1, 0.4]\nradius = 9\n"
+                                 "color = [1, 1, 1]\nshadow = true\n"
+                                 "[camera]\nposition = [2.5, 2, 1.6]\n"
+                                 "[output]\nsize = [24, 24]\nsamples = 1024\n",
+                                 formula, method));
+        Renderer renderer(context(), scene, {.width = 24, .height = 24});
+        return expose(renderer, scene, 1);
+    };
+    for (const char* formula : {"(abs(x)^0.4 + abs(y)^0.4)^6.25 + abs(z)^2.5 - 1",
+                                "max(abs(x) + abs(y) - 1, min(abs(z) - 0.2, x^2 + z^2 - 0.3))"}) {
+        SCOPED_TRACE(formula);
+        const Picture cubics = exposed(formula, "hermite"), bounds = exposed(formula, "interval");
+        EXPECT_GT(cubics.rays[std::size_t(RayKind::shadow)].evaluations, 0);
+        // Four rays of 1,024 may lie on an edge.
+        EXPECT_EQ(different(cubics, bounds, 4 / 1024.0f), 0);
+    }
 }
 
 // What certified truth says of the way from a hit to the light.
