@@ -7,6 +7,9 @@ if(NOT EXISTS ${PROJECT_BINARY_DIR}/precompiled.cpp)
 endif()
 add_library(isomotion_precompiled OBJECT EXCLUDE_FROM_ALL ${PROJECT_BINARY_DIR}/precompiled.cpp)
 target_link_libraries(isomotion_precompiled PRIVATE isomotion_flags fmt::fmt glm::glm)
+# Shared libraries and modules of others may hold ours. No function of ours is replaced at run time.
+set_target_properties(isomotion_precompiled PROPERTIES POSITION_INDEPENDENT_CODE ON)
+target_compile_options(isomotion_precompiled PRIVATE $<$<CXX_COMPILER_ID:GNU>:-fno-semantic-interposition>)
 target_precompile_headers(isomotion_precompiled PRIVATE
   <algorithm> <array> <cmath> <filesystem> <functional> <map> <memory> <mutex> <optional> <set> <span> <stdexcept>
   <string> <string_view> <unordered_map> <utility> <variant> <vector>
@@ -49,7 +52,8 @@ function(isomotion_library folder)
   if(CMAKE_UNITY_BUILD)
     target_precompile_headers(${target} REUSE_FROM isomotion_precompiled)
   endif()
-  set_target_properties(${target} PROPERTIES UNITY_BUILD_BATCH_SIZE 0)
+  set_target_properties(${target} PROPERTIES UNITY_BUILD_BATCH_SIZE 0 POSITION_INDEPENDENT_CODE ON)
+  target_compile_options(${target} PRIVATE $<$<CXX_COMPILER_ID:GNU>:-fno-semantic-interposition>)
   if(NOT LIBRARY_INNER_LOOPS)
     target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:-O1>)
   endif()

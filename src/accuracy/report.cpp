@@ -52,11 +52,11 @@ std::vector<std::byte> wrong_picture(const Report& report, const Errors& errors)
 std::string plotted(const std::string& script) {
     constexpr const char* failed = "gnuplot could not plot the report; install it: gnuplot-nox";
     const auto gnuplot = base::find_program("gnuplot");
-    if (!gnuplot) throw PlotError(failed);
+    if (!gnuplot) throw Error(Error::Code::device, failed);
     base::ChildProcess plotting(*gnuplot, {}, base::Output::keep);
     const bool done = plotting.feed(std::as_bytes(std::span(script))) && plotting.finish();
     const std::string picture = plotting.output();
-    if (!done || picture.empty()) throw PlotError(failed);
+    if (!done || picture.empty()) throw Error(Error::Code::device, failed);
     return picture;
 }
 

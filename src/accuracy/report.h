@@ -2,7 +2,6 @@
 #pragma once
 
 #include <filesystem>
-#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -18,11 +17,6 @@ struct Report {
     std::vector<Measurement> measurements;
 };
 
-// There is no program to plot with. The message says what to install.
-class PlotError : public std::runtime_error {
-    using std::runtime_error::runtime_error;
-};
-
 // For the terminal: one line per setting, with marks on the front.
 std::string table(const Report& report);
 
@@ -34,7 +28,7 @@ std::vector<std::string> files_written(std::size_t measurements);
 
 // Writes accuracy.csv, accuracy.json, wrong-NN.png for each setting, accuracy.svg and accuracy.png
 // (wrong pixels against time, by gnuplot) and index.html with all of these. Makes the folder.
-// Throws PlotError, base::FileError.
+// Throws base::FileError, and an Error (device) that says what to install.
 void write(const Report& report, const std::filesystem::path& folder);
 
 } // namespace isomotion::accuracy

@@ -13,6 +13,8 @@
 #include <variant>
 #include <vector>
 
+#include <isomotion/error.h>
+
 #include "animation/element_samples.h"
 #include "animation/keys.h"
 #include "formula/evaluate/evaluate.h"
@@ -64,10 +66,10 @@ struct Values {
 };
 
 // An error in the expression of a track or an array field; `owner` is its name ("m", "blobs.cx").
-class ExpressionError : public std::runtime_error {
+class ExpressionError : public Error {
 public:
     ExpressionError(std::string owner, const std::string& message)
-        : std::runtime_error(message)
+        : Error(Code::formula, message)
         , owner_(std::move(owner)) {}
     const std::string& owner() const { return owner_; }
 

@@ -5,9 +5,10 @@
 
 #include "animation/frame_range.h"
 #include "api/drawing/parts.h"
-#include "api/errors.h"
+#include "api/scene/errors.h"
 #include "api/scene/parts.h"
 #include "sequence/exporter.h"
+#include "sequence/inputs.h"
 #include "sequence/verification.h"
 
 namespace isomotion {
@@ -16,6 +17,11 @@ namespace {
 sequence::ExportOptions options_of(const scene::Scene& scene, const ExportSettings& settings) {
     if (settings.bits != 8 && settings.bits != 16)
         throw Error(Error::Code::input, "a PNG has 8 or 16 bits");
+    constexpr int most_audited = 1'000'000;
+    if (settings.audit.value_or(0) < 0 || settings.audit.value_or(0) > most_audited) {
+        throw Error(Error::Code::input,
+                    fmt::format("an audit takes 0 to {} rays of each frame", most_audited));
+    }
     sequence::ExportOptions options;
     options.output = settings.output;
     options.frames = animation::parse_frame_range(
@@ -53,9 +59,12 @@ Exported exported(const sequence::ExportTotals& totals) {
 
 Exported export_frames(Device& device, const Scene& scene, const ExportSettings& settings,
                        const Watcher& watcher) {
-    return api::with_all_errors([&] {
+    return api::with_errors([&] {
         const scene::Scene& all = scene.parts().scene;
         sequence::Exporter exporter(all, options_of(all, settings));
+        const sequence::Inputs inputs(scene.files());
+        inputs.expect_apart("output", sequence::SequenceName::parse(settings.output));
+        for (const auto& movie : settings.movies) inputs.expect_apart("movies", movie);
         const auto all_frames = watcher_of(watcher, exporter.options().frames.size());
         Exported result = exported(exporter.export_frames(*device.parts().context, all_frames));
         if (!result.stopped) result.stopped = !exporter.write_movies(all_frames);
@@ -64,7 +73,7 @@ Exported export_frames(Device& device, const Scene& scene, const ExportSettings&
 }
 
 Verified verify(const std::filesystem::path& manifest, bool pixels) {
-    return api::with_all_errors([&] {
+    return api::with_errors([&] {
         const sequence::Verification found = sequence::verify(manifest, {.pixels = pixels});
         return Verified{found.is_whole(), found.missing, found.changed};
     });

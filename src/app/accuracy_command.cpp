@@ -10,11 +10,11 @@
 #include "animation/frame_range.h"
 #include "app/commands.h"
 #include "app/console.h"
-#include "app/inputs.h"
 #include "app/open_context.h"
 #include "app/progress.h"
 #include "app/render_arguments.h"
 #include "scene/surfaces.h"
+#include "sequence/inputs.h"
 
 namespace isomotion::app {
 namespace {
@@ -123,7 +123,7 @@ accuracy::Report measured(const AccuracyArguments& arguments) {
     const auto settings =
         accuracy::sweep(scene, parse_methods(arguments.methods), parse_steps(arguments.steps));
     if (!arguments.output.empty()) {
-        const Inputs inputs(scene);
+        const sequence::Inputs inputs(scene);
         for (const std::string& name : accuracy::files_written(settings.size()))
             inputs.expect_apart("-o", std::filesystem::path(arguments.output) / name);
     }

@@ -12,7 +12,7 @@
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
-#include "api/errors.h"
+#include "api/scene/errors.h"
 #include "app/command_tree.h"
 #include "app/console.h"
 #include "app/help_text.h"
@@ -106,7 +106,7 @@ int run_command(int argc, char** argv) {
     try {
         end_with_input();
         gpu::end_when_display_is_lost(end_without_display);
-        return api::with_all_errors(chosen);
+        return api::with_errors(chosen);
     } catch (const Error& error) {
         return report(error);
     } catch (const std::bad_alloc&) {

@@ -11,7 +11,7 @@
 
 #include "app/commands.h"
 #include "app/console.h"
-#include "app/inputs.h"
+#include "app/gallery_inputs.h"
 #include "app/open_context.h"
 #include "app/progress.h"
 #include "app/stop_on_signal.h"
@@ -91,9 +91,9 @@ std::vector<std::byte> movie_of(const PageArguments& arguments, const Scene& sce
 
 // NAME.accuracy beside NAME.toml, where there is such a report.
 std::optional<fs::path> report_beside(const Scene& scene) {
-    const std::vector<fs::path> files = scene.files();
-    if (files.empty()) return std::nullopt;
-    fs::path report = files.front();
+    const std::optional<fs::path> file = scene.file();
+    if (!file) return std::nullopt;
+    fs::path report = *file;
     report.replace_extension(".accuracy");
     std::error_code ignored;
     return fs::exists(report, ignored) ? std::optional(report) : std::nullopt;
@@ -102,29 +102,29 @@ std::optional<fs::path> report_beside(const Scene& scene) {
 // A report that was not asked for may be of other settings: the page goes without it.
 std::string page_with_report_beside(const Scene& scene, PageSettings& settings) {
     settings.report = report_beside(scene);
-    if (!settings.report) return page_of(scene, settings, {.warn = warn});
+    if (!settings.report) return page_of(scene, settings, warn);
     try {
-        return page_of(scene, settings, {.warn = warn});
+        return page_of(scene, settings, warn);
     } catch (const Error& error) {
         if (error.code() != Error::Code::input) throw;
         warn(fmt::format("{}; the page goes without the report", error.what()));
         settings.report.reset();
-        return page_of(scene, settings, {.warn = warn});
+        return page_of(scene, settings, warn);
     }
 }
 
 int write_page(const PageArguments& arguments) {
     const Scene scene = Scene::load(arguments.scene, arguments.settings, reach_of(arguments.reach));
     const fs::path file = file_of(arguments, scene);
-    Inputs inputs(scene.files());
+    sequence::Inputs inputs(scene.files());
     inputs.add(fs::is_directory(arguments.report) ? arguments.report / fs::path("accuracy.json")
                                                   : fs::path(arguments.report));
     inputs.expect_apart("-o", file);
     PageSettings settings;
     if (!arguments.report.empty()) settings.report = arguments.report;
     // What is refused is refused before anything is drawn.
-    std::string text = settings.report ? page_of(scene, settings, {.warn = warn})
-                                       : page_with_report_beside(scene, settings);
+    std::string text =
+        settings.report ? page_of(scene, settings, warn) : page_with_report_beside(scene, settings);
     if (arguments.video) {
         settings.movie = movie_of(arguments, scene);
         if (settings.movie.empty()) return exit_interrupted;
@@ -149,7 +149,7 @@ int write_gallery(const PageArguments& arguments) {
     fs::create_directories(folder);
     Device device = open_device(arguments.backend);
     const std::vector<std::string> names = animations();
-    const Inputs inputs = Inputs::of_gallery();
+    const sequence::Inputs inputs = gallery_inputs();
     inputs.expect_apart("-o", folder / "index.html");
     Progress progress("writing pages", int(names.size()), arguments.quiet);
     std::vector<page::GalleryEntry> entries;

@@ -6,7 +6,7 @@
 #include "animation/frame_range.h"
 #include "app/commands.h"
 #include "app/console.h"
-#include "app/inputs.h"
+#include "app/gallery_inputs.h"
 #include "app/open_context.h"
 #include "player/player.h"
 #include "player/ui/window.h"
@@ -25,10 +25,10 @@ player::PlayOptions with_frames(player::PlayOptions options, const std::string& 
 
 void expect_log_apart(const player::PlayOptions& options) {
     if (options.log.empty()) return;
-    const Inputs inputs =
+    const sequence::Inputs inputs =
         options.scene.empty()
-            ? Inputs::of_gallery()
-            : Inputs(scene::load(options.scene, options.overrides, options.reach));
+            ? gallery_inputs()
+            : sequence::Inputs(scene::load(options.scene, options.overrides, options.reach));
     inputs.expect_apart("--log", options.log);
 }
 

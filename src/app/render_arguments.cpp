@@ -10,10 +10,10 @@
 
 #include "animation/frame_range.h"
 #include "app/commands.h"
-#include "app/inputs.h"
 #include "base/extension.h"
 #include "scene/limits.h"
 #include "scene/method.h"
+#include "sequence/inputs.h"
 #include "sequence/names/sequence_name.h"
 #include "synthesis/channel.h"
 
@@ -222,7 +222,7 @@ sequence::Exporter exporter_of(const RenderArguments& arguments) {
     options.audit = audit_of(arguments.audit);
     options.resume = arguments.resume;
     options.movies.assign(arguments.movies.begin(), arguments.movies.end());
-    const Inputs inputs(scene);
+    const sequence::Inputs inputs(scene);
     inputs.expect_apart("-o", sequence::SequenceName::parse(options.output));
     for (const std::string& movie : arguments.movies) inputs.expect_apart("--movie", movie);
     try {

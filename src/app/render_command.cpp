@@ -192,7 +192,7 @@ int render(const RenderArguments& arguments) {
         if (!exporter.write_movies(watcher)) return stopped();
     } catch (
         const image::ImageError& error) { // a frame's file, which the scene is not to blame for
-        throw sequence::MovieError(error.what());
+        throw Error(Error::Code::file, error.what());
     }
     for (const std::string& movie : arguments.movies) say(fmt::format("movie: {}\n", movie));
     return exit_done;

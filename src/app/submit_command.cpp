@@ -10,7 +10,6 @@
 #include "animation/frame_range.h"
 #include "app/commands.h"
 #include "app/console.h"
-#include "app/inputs.h"
 #include "app/progress.h"
 #include "app/render_arguments.h"
 #include "app/stop_on_signal.h"
@@ -20,6 +19,7 @@
 #include "farm/local.h"
 #include "farm/shell.h"
 #include "farm/slurm.h"
+#include "sequence/inputs.h"
 
 namespace isomotion::app {
 namespace fs = std::filesystem;
@@ -73,7 +73,8 @@ public:
         job_.frames = all_frames(); // as short as they were written
         for (const std::string& movie : render.movies) job_.movies.push_back(fs::absolute(movie));
         job_.options = words_of(arguments.picture);
-        if (arguments.engine == "slurm") Inputs(exporter.scene()).expect_apart("-o", script());
+        if (arguments.engine == "slurm")
+            sequence::Inputs(exporter.scene()).expect_apart("-o", script());
         if (const char* data = std::getenv("ISOMOTION_DATA")) {
             job_.environment.push_back("ISOMOTION_DATA=" + fs::absolute(data).string());
         }

@@ -11,7 +11,6 @@
 #include "animation/frame_range.h"
 #include "app/commands.h"
 #include "app/console.h"
-#include "app/inputs.h"
 #include "app/open_context.h"
 #include "app/progress.h"
 #include "app/stop_on_signal.h"
@@ -27,6 +26,7 @@
 #include "scene/reading/load.h"
 #include "scene/surfaces.h"
 #include "scene/unbounded.h"
+#include "sequence/inputs.h"
 #include "topology/timeline/betti_csv.h"
 #include "topology/timeline/expectation.h"
 #include "topology/timeline/plot.h"
@@ -333,7 +333,7 @@ int topology_of(TopologyArguments arguments) {
         arguments.settings = settings;
         loaded = scene::load(arguments.scene, settings, arguments.reach);
     }
-    Inputs inputs(loaded);
+    sequence::Inputs inputs(loaded);
     inputs.add(arguments.check);
     inputs.expect_apart("-o", arguments.output);
     inputs.expect_apart("--csv", arguments.csv);

@@ -46,13 +46,13 @@ Bytes read_as(RegularFile file, const std::filesystem::path& path, std::size_t m
 } // namespace
 
 FileError::FileError(const std::filesystem::path& path, const std::string& attempt, int code)
-    : std::runtime_error(fmt::format("{}: {}: {}", printable_line(path.string()), attempt,
-                                     std::generic_category().message(code)))
+    : Error(Code::file, fmt::format("{}: {}: {}", printable_line(path.string()), attempt,
+                                    std::generic_category().message(code)))
     , path_(path)
     , code_(code) {}
 
 FileError::FileError(const std::filesystem::path& path, const std::string& wrong)
-    : std::runtime_error(fmt::format("{}: {}", printable_line(path.string()), wrong))
+    : Error(Code::file, fmt::format("{}: {}", printable_line(path.string()), wrong))
     , path_(path)
     , code_(0) {}
 

@@ -3,9 +3,10 @@
 #include <cstddef>
 #include <filesystem>
 #include <span>
-#include <stdexcept>
 #include <string>
 #include <vector>
+
+#include <isomotion/error.h>
 
 #include "base/confines.h"
 
@@ -13,14 +14,14 @@ namespace isomotion::base {
 
 /// The file system refused an operation, or a file is not what it must be. The message has the
 /// path, the attempt or the defect, and the system's reason if there is one.
-class FileError : public std::runtime_error {
+class FileError : public Error {
 public:
     FileError(const std::filesystem::path& path, const std::string& attempt, int code);
     FileError(const std::filesystem::path& path, const std::string& wrong);
 
     const std::filesystem::path& path() const { return path_; }
     /// The errno, such as ENOSPC; 0 if the system didn't refuse.
-    int code() const { return code_; }
+    int system_code() const { return code_; }
 
 private:
     std::filesystem::path path_;

@@ -14,7 +14,7 @@ namespace {
 
 // What is wrong with it, and what would be right.
 std::string mistake(const FileError& error, std::size_t most) {
-    switch (error.code()) {
+    switch (error.system_code()) {
     case 0:
     case ENXIO: // a socket
         return "is a pipe or a device; name a regular file";
@@ -26,7 +26,7 @@ std::string mistake(const FileError& error, std::size_t most) {
     case EFBIG:
         return fmt::format("is larger than {} bytes, the most that is read", most);
     default:
-        return "cannot be read: " + std::generic_category().message(error.code());
+        return "cannot be read: " + std::generic_category().message(error.system_code());
     }
 }
 

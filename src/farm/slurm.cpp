@@ -8,6 +8,7 @@
 #include <sys/wait.h>
 
 #include <fmt/format.h>
+#include <isomotion/error.h>
 
 #include "animation/frame_range.h"
 #include "base/child_process.h"
@@ -146,14 +147,16 @@ std::size_t largest_array() {
 
 std::string submit(const Words& sbatch) {
     if (!base::find_program(sbatch.front())) {
-        throw SlurmError("sbatch is not on PATH: this machine submits to no Slurm; --engine print "
-                         "writes the commands for any other farm, --engine local renders here");
+        throw Error(Error::Code::device,
+                    "sbatch is not on PATH: this machine submits to no Slurm; --engine print "
+                    "writes the commands for any other farm, --engine local renders here");
     }
     const Output output = output_of(command_line(sbatch));
     // "JOB" or "JOB;CLUSTER"
     std::string id = output.text.substr(0, output.text.find_first_of(";\n"));
     if (output.status != 0 || id.empty()) {
-        throw SlurmError(fmt::format("sbatch ended with exit status {}", output.status));
+        throw Error(Error::Code::device,
+                    fmt::format("sbatch ended with exit status {}", output.status));
     }
     return id;
 }

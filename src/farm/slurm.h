@@ -5,7 +5,6 @@
 #include <cstddef>
 #include <filesystem>
 #include <span>
-#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -13,11 +12,6 @@
 #include "farm/job.h"
 
 namespace isomotion::farm {
-
-// Slurm isn't installed or refuses; the message says which, and names alternatives.
-class SlurmError : public std::runtime_error {
-    using std::runtime_error::runtime_error;
-};
 
 struct Slurm {
     std::filesystem::path script; // out/name.slurm.sh; logs go to out/name.slurm/
@@ -39,7 +33,8 @@ std::vector<std::string> sbatch_joining(const Slurm& slurm, const std::string& a
 // it can't be asked.
 std::size_t largest_array();
 
-// Runs sbatch and returns the job's number. Throws SlurmError.
+// Runs sbatch and returns the job's number. Throws an Error (device) if Slurm isn't installed
+// or refuses, with alternatives.
 std::string submit(const std::vector<std::string>& sbatch);
 
 } // namespace isomotion::farm

@@ -96,7 +96,7 @@ std::string_view name(Backend backend) {
 }
 
 Unavailable::Unavailable(std::vector<Attempt> attempts)
-    : std::runtime_error(message(attempts))
+    : Error(Code::device, message(attempts))
     , attempts_(std::move(attempts)) {}
 
 thread_local Context* Context::current_ = nullptr;

@@ -1,11 +1,12 @@
 #pragma once
 
 #include <memory>
-#include <stdexcept>
 #include <string>
 #include <string_view>
 #include <utility>
 #include <vector>
+
+#include <isomotion/error.h>
 
 struct GLFWwindow;
 
@@ -42,7 +43,7 @@ struct Attempt {
 };
 
 /// No context is available. The message lists every attempt and what to install.
-class Unavailable : public std::runtime_error {
+class Unavailable : public Error {
 public:
     explicit Unavailable(std::vector<Attempt> attempts);
     const std::vector<Attempt>& attempts() const noexcept { return attempts_; }

@@ -123,9 +123,9 @@ std::string_view error_name(GLenum code) {
 
 CompileError::CompileError(std::string_view label, std::string stage, std::string log,
                            std::string_view source)
-    : std::runtime_error(fmt::format("{}: the {} {} failed\n{}{}{}", label, stage,
-                                     stage == "link" ? "step" : "shader", log,
-                                     log.ends_with('\n') ? "" : "\n", excerpt(log, source)))
+    : Error(Code::device, fmt::format("{}: the {} {} failed\n{}{}{}", label, stage,
+                                      stage == "link" ? "step" : "shader", log,
+                                      log.ends_with('\n') ? "" : "\n", excerpt(log, source)))
     , stage_(std::move(stage))
     , log_(std::move(log)) {}
 

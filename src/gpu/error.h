@@ -1,28 +1,30 @@
 #pragma once
 
-#include <stdexcept>
 #include <string>
 #include <string_view>
+
+#include <isomotion/error.h>
 
 namespace isomotion::gpu {
 
 /// The driver cannot fulfil a request: too large, too many, or out of memory.
-class ResourceError : public std::runtime_error {
+class ResourceError : public Error {
 public:
-    using std::runtime_error::runtime_error;
+    explicit ResourceError(const std::string& message)
+        : Error(Code::device, message) {}
 };
 
 /// The driver has reset the graphics card, so the context and everything made in it are useless.
 /// Only contexts of windows detect this (KHR_robustness).
-class ContextLost : public std::runtime_error {
+class ContextLost : public Error {
 public:
     ContextLost()
-        : std::runtime_error("the graphics driver was reset") {}
+        : Error(Code::device, "the graphics driver was reset") {}
 };
 
 /// A shader that does not compile or link. The message holds the driver's log and the source lines
 /// around each error.
-class CompileError : public std::runtime_error {
+class CompileError : public Error {
 public:
     /// `stage` is "vertex", "fragment", "compute" or "link"; `source` is empty for "link".
     CompileError(std::string_view label, std::string stage, std::string log,

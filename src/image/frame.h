@@ -1,18 +1,21 @@
 #pragma once
 
 #include <cstdint>
-#include <stdexcept>
 #include <string>
 #include <string_view>
 #include <variant>
 #include <vector>
 
+#include <isomotion/error.h>
+
 namespace isomotion::image {
 
 /// The content of a frame or of a file is invalid. Refusals of the file system are FileErrors
 /// instead.
-class ImageError : public std::runtime_error {
-    using std::runtime_error::runtime_error;
+class ImageError : public Error {
+public:
+    explicit ImageError(const std::string& message)
+        : Error(Code::input, message) {}
 };
 
 struct Rational {

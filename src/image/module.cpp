@@ -1,10 +1,10 @@
 #include "image/module.h"
 
-#include <stdexcept>
 #include <string>
 
 #include <dlfcn.h>
 #include <fmt/format.h>
+#include <isomotion/error.h>
 
 #include "base/loading.h"
 
@@ -21,9 +21,10 @@ void* module_entry(const char* file, const char* function) {
         const std::string words = ::dlerror();
         const bool is_missing =
             words.starts_with(file) && words.find("cannot open shared object file") != words.npos;
-        throw std::runtime_error(
-            fmt::format("pictures cannot be read or written: {}{}", base::why_not_loaded(words),
-                        is_missing ? "; it comes with isomotion, in lib/isomotion" : ""));
+        throw Error(Error::Code::file,
+                    fmt::format("pictures cannot be read or written: {}{}",
+                                base::why_not_loaded(words),
+                                is_missing ? "; it comes with isomotion, in lib/isomotion" : ""));
     }
     return entry;
 }

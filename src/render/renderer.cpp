@@ -275,7 +275,7 @@ struct Renderer::Parts {
 
     void stop_if_asked() const {
         if (options.progress) options.progress(done);
-        if (options.stop && options.stop()) throw Stopped{};
+        if (options.stop && options.stop()) throw Stopped();
     }
 
     // Draws a tile of a plain scene, whose beams were drawn.

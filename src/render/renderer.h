@@ -8,6 +8,8 @@
 #include <optional>
 #include <vector>
 
+#include <isomotion/error.h>
+
 #include "gpu/context.h"
 #include "image/frame.h"
 #include "render/frame_inputs.h"
@@ -89,7 +91,10 @@ struct RenderOptions {
 };
 
 // Thrown when a picture is stopped.
-struct Stopped {};
+struct Stopped : Error {
+    Stopped()
+        : Error(Code::stopped, "stopped") {}
+};
 
 class Renderer {
 public:

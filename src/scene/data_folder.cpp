@@ -69,6 +69,7 @@ fs::path data_folder() {
                                      "animations/ in it; name the one that has, or unset it",
                                      given));
     }
+    if (const fs::path named = named_folder().get(); holds_data(named)) return named;
     std::error_code error;
     const fs::path program = fs::read_symlink("/proc/self/exe", error);
     for (fs::path up = program.parent_path(); !error && up.has_relative_path();
@@ -76,9 +77,7 @@ fs::path data_folder() {
         if (holds_data(up / "share" / "isomotion")) return up / "share" / "isomotion";
         if (holds_data(up)) return up;
     }
-    for (const fs::path& known : {named_folder().get(), fs::path(ISOMOTION_INSTALLED_DATA)}) {
-        if (holds_data(known)) return known;
-    }
+    if (holds_data(ISOMOTION_INSTALLED_DATA)) return ISOMOTION_INSTALLED_DATA;
     throw SceneError(fmt::format("the program's shaders/ and animations/ are not to be found above "
                                  "{}; set ISOMOTION_DATA to the folder that holds them",
                                  program.string()));

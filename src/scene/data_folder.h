@@ -7,11 +7,10 @@
 
 namespace isomotion::scene {
 
-// The folder that holds shaders/ and animations/. Tried in this order: $ISOMOTION_DATA;
-// <prefix>/share/isomotion beside the program; the nearest folder above the program that has both
-// (a source tree with its build inside); for other programs that link this library, the folder that
-// set_data_folder() named, and the one where the build was to be installed. Throws SceneError that
-// names the places tried.
+// The folder that holds shaders/ and animations/. Tried in this order: $ISOMOTION_DATA; the folder
+// that set_data_folder() named; <prefix>/share/isomotion beside the program; the nearest folder
+// above the program that has both (a source tree with its build inside); the folder where the build
+// was to be installed. Throws SceneError that names the places tried.
 std::filesystem::path data_folder();
 void set_data_folder(const std::filesystem::path& folder);
 

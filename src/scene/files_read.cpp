@@ -1,5 +1,7 @@
 #include "scene/files_read.h"
 
+#include <algorithm>
+
 #include "scene/data_folder.h"
 
 namespace isomotion::scene {
@@ -17,7 +19,11 @@ std::vector<std::filesystem::path> files_read(const Scene& scene) {
     for (const Scene& other : scene.others) {
         for (auto& file : files_read(other)) files.push_back(std::move(file));
     }
-    return files;
+    std::vector<std::filesystem::path> once; // surfaces may share them
+    for (auto& file : files) {
+        if (std::ranges::find(once, file) == once.end()) once.push_back(std::move(file));
+    }
+    return once;
 }
 
 } // namespace isomotion::scene

@@ -62,7 +62,7 @@ void check_options(const scene::Scene& scene, const ExportOptions& options, imag
     }
     try {
         for (const fs::path& movie : options.movies) check_movie(movie, movie_rate(scene));
-    } catch (const MovieError& error) {
+    } catch (const Error& error) {
         throw OptionError(fmt::format("movie {}", error.what()));
     }
 }

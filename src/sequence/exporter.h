@@ -9,9 +9,10 @@
 #include <map>
 #include <optional>
 #include <span>
-#include <stdexcept>
 #include <string>
 #include <vector>
+
+#include <isomotion/error.h>
 
 #include "audit/audit.h"
 #include "gpu/context.h"
@@ -25,8 +26,10 @@
 namespace isomotion::sequence {
 
 // Options that contradict each other; the message begins with the name of one.
-class OptionError : public std::invalid_argument {
-    using std::invalid_argument::invalid_argument;
+class OptionError : public Error {
+public:
+    explicit OptionError(const std::string& message)
+        : Error(Code::input, message) {}
 };
 
 struct ExportOptions {
@@ -82,9 +85,9 @@ public:
     // Makes the folders of the frames and of the movies, as export_frames() does. Throws FileError.
     void make_folders() const;
 
-    // Throws the errors of Renderer, FileError, and ConflictError if another process is rendering
-    // another sequence into these files. This object locks a sequence's manifest until it is
-    // destroyed, so that nobody replaces the frames before their movie is made.
+    // Throws the errors of Renderer, FileError, and an Error (input) if another process is
+    // rendering another sequence into these files. This object locks a sequence's manifest until it
+    // is destroyed, so that nobody replaces the frames before their movie is made.
     ExportTotals export_frames(gpu::Context& context, const ExportWatcher& watcher = {});
 
     // Joins the exported frames to each movie, in the requested order. Returns false if stopped.

@@ -51,8 +51,8 @@ Sequence read_sequence(const fs::path& manifest) {
     Sequence sequence = parse_sequence(read_text(file), file.string());
     const std::string& pattern = sequence.format.pattern;
     const auto fail = [&](std::string_view what) {
-        throw ManifestError(fmt::format("{}: files: {}; this is no manifest",
-                                        base::printable(file.string()), what));
+        throw Error(Error::Code::file, fmt::format("{}: files: {}; this is no manifest",
+                                                   base::printable(file.string()), what));
     };
     if (pattern.find('/') != std::string::npos)
         fail("must be names beside the manifest, without a folder");
@@ -69,8 +69,7 @@ std::optional<FrameRecord> find_record(const SequenceName& name, int frame) {
     try {
         FrameRecord record = parse_frame_record(read_text(file), file.string());
         if (record.frame == frame && record.file == name.path(frame).filename()) return record;
-    } catch (const base::FileError&) { // there is none
-    } catch (const ManifestError&) {   // or nothing that could be trusted
+    } catch (const Error&) { // there is none, or nothing that could be trusted
     }
     return {};
 }

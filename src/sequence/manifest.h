@@ -19,7 +19,7 @@ std::filesystem::path manifest_folder(const SequenceName& name);
 std::filesystem::path sequence_file(const std::filesystem::path& manifest);
 std::filesystem::path frame_file(const std::filesystem::path& manifest, int frame);
 
-// Throws FileError if there is no such file, and ManifestError with the file's name if it isn't a
+// Throws FileError if there is no such file, and an Error (file) with the file's name if it isn't a
 // manifest or belongs to files elsewhere.
 Sequence read_sequence(const std::filesystem::path& manifest);
 

@@ -213,7 +213,7 @@ template<class T> T parsed(std::string_view text, const std::string& file) {
         Reader reader(document.table());
         fields(reader, value);
     } catch (const base::InputError& error) {
-        throw ManifestError(fmt::format("{}; this is no manifest", error.what()));
+        throw Error(Error::Code::file, fmt::format("{}; this is no manifest", error.what()));
     }
     return value;
 }

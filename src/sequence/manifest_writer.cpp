@@ -74,9 +74,9 @@ std::optional<Sequence> sequence_there(const fs::path& manifest) {
     try {
         return read_sequence(manifest);
     } catch (const base::FileError& error) {
-        if (error.code() != ENOENT) throw;
+        if (error.system_code() != ENOENT) throw;
         return {};
-    } catch (const ManifestError&) { // a file of somebody else's that has its name
+    } catch (const Error&) { // a file of somebody else's that has its name
         throw base::FileError(sequence_file(manifest),
                               "is no manifest that this version reads; move it away, or give "
                               "these frames another name with -o");
@@ -104,16 +104,18 @@ void ManifestWriter::join(const Sequence& wanted) {
     base::PartialFile file(sequence_file(folder_));
     const std::optional<Sequence> there = sequence_there(folder_);
     if (there && there->format.pattern != wanted.format.pattern) {
-        throw ConflictError(fmt::format("{}: is the manifest of {}, not of {}; move it away, or "
-                                        "give these frames another name with -o",
-                                        base::printable_line(folder_.string()),
-                                        there->format.pattern, wanted.format.pattern));
+        throw Error(Error::Code::input,
+                    fmt::format("{}: is the manifest of {}, not of {}; move it away, or "
+                                "give these frames another name with -o",
+                                base::printable_line(folder_.string()), there->format.pattern,
+                                wanted.format.pattern));
     }
     Sequence joined = there.value_or(wanted);
     const std::string other = difference(joined, wanted);
     if (!other.empty()) {
         if (!lock(writers_, LOCK_EX)) {
-            throw ConflictError(
+            throw Error(
+                Error::Code::input,
                 fmt::format("{}: somebody is rendering these frames from {}; wait for them, "
                             "or give these frames another name with -o",
                             folder_.string(), other));

@@ -17,16 +17,11 @@
 
 namespace isomotion::sequence {
 
-// Others are rendering another sequence into these files; the message states the differences.
-class ConflictError : public std::invalid_argument {
-public:
-    using std::invalid_argument::invalid_argument;
-};
-
 class ManifestWriter {
 public:
     // Joins or begins the sequence of these files. The folder of the frames must exist. Throws
-    // FileError, ConflictError.
+    // FileError, and an Error (input) if others render another sequence into these files, with the
+    // differences.
     ManifestWriter(const SequenceName& name, const Sequence& sequence);
 
     const std::filesystem::path& folder() const { return folder_; }

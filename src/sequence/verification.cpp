@@ -140,10 +140,11 @@ Verification verify(const fs::path& manifest, const VerifyOptions& how) {
     const auto name =
         SequenceName::parse((manifest.parent_path() / found.sequence.format.pattern).string());
     if (const fs::path right = manifest_folder(name); right.filename() != manifest.filename()) {
-        throw ManifestError(fmt::format("{}: is a manifest of {}, which belongs into {}",
-                                        base::printable_line(manifest.string()),
-                                        found.sequence.format.pattern,
-                                        base::printable_line(right.filename().string())));
+        throw Error(Error::Code::file,
+                    fmt::format("{}: is a manifest of {}, which belongs into {}",
+                                base::printable_line(manifest.string()),
+                                found.sequence.format.pattern,
+                                base::printable_line(right.filename().string())));
     }
     const std::vector<int> there = frames_there(name);
     std::ranges::set_difference(asked, there, std::back_inserter(found.missing));

@@ -45,7 +45,7 @@ struct VerifyOptions {
     std::function<void(int done, int of)> progress = {};
 };
 
-// Throws FileError and ManifestError if there is no manifest to read. Opens only files that exist:
+// Throws an Error (file) if there is no manifest to read. Opens only files that exist:
 // the time does not depend on how many frames a manifest says were asked for.
 Verification verify(const std::filesystem::path& manifest, const VerifyOptions& how = {});
 

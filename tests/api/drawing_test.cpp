@@ -83,6 +83,11 @@ TEST(Drawing, TellsMistakesAndStops) {
     EXPECT_EQ(unknown.code, Error::Code::input);
     EXPECT_NE(unknown.words.find("verdict"), std::string::npos) << unknown.words;
     EXPECT_EQ(told([] { Renderer(device(), ball(), {.width = 20'000}); }).code, Error::Code::limit);
+    EXPECT_EQ(told([] { Renderer(device(), ball(), {.width = -1}); }).code, Error::Code::input);
+    EXPECT_EQ(told([] { Renderer(device(), ball()).draw(0); }).code, Error::Code::input);
+    EXPECT_EQ(told([] { write_movie("a.avi", ball(), 1, [](int) { return Picture(); }); }).code,
+              Error::Code::input);
+    EXPECT_EQ(told([] { write_movie("a.gif", ball(), 1, nullptr); }).code, Error::Code::input);
     const Watcher stops{.stop = [] { return true; }};
     EXPECT_EQ(told([&] { Renderer(device(), ball(), {}, stops).draw(1); }).code,
               Error::Code::stopped);

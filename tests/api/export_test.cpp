@@ -75,6 +75,24 @@ TEST_F(ExportFrames, CanBeStopped) {
     EXPECT_FALSE(verify(folder_ / "ball.manifest").whole);
 }
 
+// The table of the elements has the name of a frame.
+TEST_F(ExportFrames, DoNotReplaceWhatTheyAreMadeFrom) {
+    fs::create_directories(folder_);
+    const fs::path table = folder_ / "ball.0003.png";
+    const char* written = "x,y\n0,0\n";
+    std::ofstream(table) << written;
+    std::ofstream(folder_ / "scene.toml")
+        << "[surface]\nformula = '1 - sum(blobs, exp(-(x-x0)^2 - y^2 - z^2))'\n"
+           "bounds = { sphere = 2 }\n[time]\nframes = 6\n[arrays.blobs]\n"
+           "file = 'ball.0003.png'\nformat = 'csv'\ncolumns = { x0 = 'x' }\n";
+    const Told told_of_scene = told([&] {
+        export_frames(device(), Scene::load((folder_ / "scene.toml").string()), settings_);
+    });
+    EXPECT_EQ(told_of_scene.code, Error::Code::input) << told_of_scene.words;
+    std::ifstream text(table);
+    EXPECT_EQ(std::string(std::istreambuf_iterator<char>(text), {}), written);
+}
+
 TEST_F(ExportFrames, TellMistakes) {
     const auto code = [&] {
         return told([&] { export_frames(device(), scene(), settings_); }).code;
@@ -82,6 +100,9 @@ TEST_F(ExportFrames, TellMistakes) {
     settings_.bits = 12;
     EXPECT_EQ(code(), Error::Code::input);
     settings_.bits = 8;
+    settings_.audit = -1;
+    EXPECT_EQ(code(), Error::Code::input);
+    settings_.audit = {};
     settings_.frames = "1-";
     EXPECT_EQ(code(), Error::Code::input);
     settings_.frames = "";

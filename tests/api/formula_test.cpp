@@ -15,6 +15,13 @@ TEST(Formula, HasValuesAndGradientsOfClosedForms) {
     EXPECT_EQ(ball.with("r", 5).parameters().at("r"), 5);
 }
 
+TEST(Formula, StaysWhereItIsMovedFrom) {
+    Formula from("x - 1");
+    const Formula to = std::move(from);
+    EXPECT_EQ(to.value({3, 0, 0}), 2);
+    EXPECT_EQ(from.value({3, 0, 0}), 2); // NOLINT(bugprone-use-after-move)
+}
+
 TEST(Formula, HasTheValuesOfSinglePointsAtMany) {
     const Formula wave("z - a*sin(3*x)*cos(2*y)", {{"a", 0.3}});
     std::mt19937 random(4);
@@ -68,6 +75,11 @@ TEST(Formula, TellsMistakes) {
     EXPECT_EQ(told([] { Formula("x - r", {{"x", 1.0}}); }).code, Error::Code::input);
     EXPECT_EQ(told([] { Formula("x - r", {{"r r", 1.0}}); }).code, Error::Code::input);
     EXPECT_EQ(told([] { Formula("x").with("r", 1); }).code, Error::Code::input);
+    EXPECT_EQ(told([] { Formula("x*r", {{"r", NAN}}); }).code, Error::Code::input);
+    EXPECT_EQ(told([] {
+                  Formula("x*r", {{"r", 1.0}}).with("r", INFINITY);
+              }).code,
+              Error::Code::input);
     EXPECT_EQ(told([] {
                   Formula("x").bound({{{1, -1}, {0, 0}, {0, 0}}});
               }).code,

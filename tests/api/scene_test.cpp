@@ -43,6 +43,8 @@ TEST(Scene, ChangesByCopies) {
     EXPECT_EQ(scene.with("r", "1 - t").parameters(26).at("r"), 0);
     EXPECT_EQ(scene.with("output.size", "[32, 16]").width(), 32);
     EXPECT_EQ(scene.parameters(26).at("r"), 1.5);
+    EXPECT_EQ(told([&] { scene.with("r", "1\nq = 2"); }).code, Error::Code::input);
+    EXPECT_EQ(told([&] { scene.with("", "1"); }).code, Error::Code::input);
 }
 
 TEST(Scene, IsAFileAnAnimationOrAFormula) {
@@ -62,6 +64,8 @@ TEST(Scene, IsAFileAnAnimationOrAFormula) {
         std::filesystem::temp_directory_path() / "isomotion_api_scene_test.toml";
     std::ofstream(file) << growing;
     EXPECT_EQ(Scene::load(file.string()).files(), std::vector{file});
+    EXPECT_EQ(Scene::load(file.string()).file(), file);
+    EXPECT_FALSE(formula.file());
     std::filesystem::remove(file);
     EXPECT_EQ(told([&] { Scene::load(file.string()); }).code, Error::Code::input);
 }
@@ -113,6 +117,9 @@ TEST(FirstRoots, CanBeStoppedAndWatched) {
     EXPECT_EQ(told([&] { first_roots(scene, 1, 8, 8, {.stop = [] { return true; }}); }).code,
               Error::Code::stopped);
     EXPECT_EQ(told([&] { first_roots(scene, 1, 0, 8); }).code, Error::Code::input);
+    EXPECT_EQ(told([&] { first_roots(scene, 0, 8, 8); }).code, Error::Code::input);
+    EXPECT_EQ(told([&] { first_roots(scene, 1, 8, 1'000'000); }).code, Error::Code::limit);
+    EXPECT_EQ(told([&] { scene.parameters(-1); }).code, Error::Code::input);
 }
 
 TEST(Scene, IsSharedByThreads) {

@@ -43,6 +43,29 @@ TEST(TopologyOf, APartOfTheFrames) {
     EXPECT_TRUE(topology_of(Scene::parse(meeting), before).events.empty());
 }
 
+// Bounds that are found hold all frames that are searched: this one's balls leave those of its own
+// five frames.
+TEST(TopologyOf, FramesBeyondTheLastHasBoundsOfThem) {
+    const Scene parting =
+        Scene::parse("[time]\nfps = 30\nframes = 5\n[parameters]\nd = '0.2 + t'\n[surface]\n"
+                     "formula = 'min((x - d)^2 + y^2 + z^2, (x + d)^2 + y^2 + z^2) - 0.25'\n");
+    TopologySettings settings;
+    settings.last = 41;
+    const Topology found = topology_of(parting, settings);
+    ASSERT_EQ(found.events.size(), 1u) << found.summary;
+    EXPECT_EQ(found.events[0].kind, "split");
+    EXPECT_EQ(found.end, (Betti{2, 0, 0}));
+}
+
+TEST(TopologyOf, WarnsWhereFHasNoBounds) {
+    std::string warning;
+    const Watcher watcher{.warn = [&](const std::string& words) { warning = words; }};
+    topology_of(Scene::parse("[time]\nframes = 2\n[surface]\nbounds = { sphere = 1 }\n"
+                             "formula = 'exp(exp(exp(exp(9 + x^2)))) - 2'\n"),
+                {}, watcher);
+    EXPECT_NE(warning, "");
+}
+
 TEST(TopologyOf, TwoSurfacesIsWhereTheyTouch) {
     const Scene two = Scene::parse("[time]\nfps = 10\nframes = 21\n"
                                    "[[surfaces]]\nname = 'a'\nformula = 'x^2 + y^2 + z^2 - 1'\n"

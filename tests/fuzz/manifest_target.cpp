@@ -11,7 +11,7 @@ template<class Parse> void read_and_write(std::string_view text, Parse parse) {
         const std::string written = sequence::to_json(parse(text));
         if (sequence::to_json(parse(written)) != written)
             throw Violation("read again, another record");
-    } catch (const sequence::ManifestError& error) {
+    } catch (const Error& error) {
         if (base::printable(error.what()) != error.what()) {
             throw Violation("a message that commands a terminal");
         }

@@ -1,7 +1,7 @@
 #include <fmt/format.h>
 
-#include "api/drawing/errors.h"
 #include "api/drawing/parts.h"
+#include "api/scene/errors.h"
 
 namespace isomotion {
 namespace {
@@ -23,7 +23,7 @@ gpu::Backend backend_of(Device::Kind kind) {
 } // namespace
 
 Device::Device(Kind kind) {
-    parts_ = api::with_drawing_errors(
+    parts_ = api::with_errors(
         [&] { return std::make_unique<Parts>(Parts{gpu::Context::create(backend_of(kind))}); });
 }
 

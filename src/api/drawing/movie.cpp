@@ -2,15 +2,16 @@
 
 #include <fmt/format.h>
 
-#include "api/drawing/errors.h"
 #include "api/drawing/parts.h"
+#include "api/scene/errors.h"
 #include "api/scene/parts.h"
 #include "sequence/movies/movie.h"
 
 namespace isomotion {
 bool write_movie(const std::filesystem::path& file, const Scene& scene, int count,
                  const std::function<Picture(int)>& picture, const Watcher& watcher) {
-    return api::with_drawing_errors([&] {
+    return api::with_errors([&] {
+        if (!picture) throw Error(Error::Code::input, "a movie needs pictures");
         const sequence::MoviePictures pictures{
             std::size_t(std::max(count, 0)),
             [&](std::size_t k) {

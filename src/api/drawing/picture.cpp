@@ -2,8 +2,8 @@
 
 #include <fmt/format.h>
 
-#include "api/drawing/errors.h"
 #include "api/drawing/parts.h"
+#include "api/scene/errors.h"
 #include "base/file.h"
 #include "image/encode.h"
 #include "image/pixel_hash.h"
@@ -17,7 +17,7 @@ const Picture::Plane* Picture::find(std::string_view name) const {
 }
 
 std::vector<std::uint8_t> Picture::rgba8() const {
-    return api::with_drawing_errors([&] { return image::rgba8(api::frame_of(*this)); });
+    return api::with_errors([&] { return image::rgba8(api::frame_of(*this)); });
 }
 
 std::string Picture::fingerprint() const {
@@ -27,7 +27,7 @@ std::string Picture::fingerprint() const {
 }
 
 void Picture::write(const std::filesystem::path& file) const {
-    api::with_drawing_errors([&] {
+    api::with_errors([&] {
         base::write_whole(file, image::encode(api::frame_of(*this), image::format_of(file)));
     });
 }

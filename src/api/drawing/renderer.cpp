@@ -1,5 +1,7 @@
-#include "api/drawing/errors.h"
+#include <algorithm>
+
 #include "api/drawing/parts.h"
+#include "api/scene/errors.h"
 #include "api/scene/parts.h"
 #include "render/exposure.h"
 #include "scene/limits.h"
@@ -15,6 +17,8 @@ namespace {
 
 render::RenderOptions options_of(const scene::Scene& scene, const RenderSettings& settings,
                                  const Watcher& watcher) {
+    if (settings.width < 0 || settings.height < 0)
+        throw Error(Error::Code::input, "a picture has at least one pixel");
     render::RenderOptions options;
     options.width = settings.width > 0 ? settings.width : scene.output.width;
     options.height = settings.height > 0 ? settings.height : scene.output.height;
@@ -32,7 +36,7 @@ render::RenderOptions options_of(const scene::Scene& scene, const RenderSettings
 
 Renderer::Renderer(Device& device, const Scene& scene, const RenderSettings& settings,
                    Watcher watcher) {
-    parts_ = api::with_drawing_errors([&] {
+    parts_ = api::with_errors([&] {
         const scene::Scene& all = scene.parts().scene;
         return std::unique_ptr<Parts>(
             new Parts{scene, render::Renderer(*device.parts().context, all,
@@ -45,9 +49,9 @@ Renderer& Renderer::operator=(Renderer&&) noexcept = default;
 Renderer::~Renderer() = default;
 
 Picture Renderer::draw(int frame) {
-    return api::with_drawing_errors([&] {
+    return api::with_errors([&] {
         return api::picture_of(
-            render::expose(parts_->renderer, parts_->scene.parts().scene, frame));
+            render::expose(parts_->renderer, parts_->scene.parts().scene, api::from_1(frame)));
     });
 }
 

@@ -7,8 +7,6 @@
 #include <fmt/format.h>
 
 #include "base/file.h"
-#include "base/input_error.h"
-#include "formula/graph/parser.h"
 
 namespace isomotion::api {
 
@@ -20,12 +18,6 @@ void throw_error() {
         throw;
     } catch (const std::bad_alloc&) {
         throw;
-    } catch (const base::InputError& error) {
-        throw Error(Code::input, error.what());
-    } catch (const base::FileError& error) {
-        throw Error(Code::file, error.what());
-    } catch (const formula::ParseError& error) {
-        throw Error(Code::formula, error.what());
     } catch (const std::invalid_argument& error) {
         throw Error(Code::input, error.what());
     } catch (const std::length_error& error) {
@@ -39,8 +31,10 @@ void throw_error() {
                                               error.code().message()));
     } catch (const std::logic_error& error) {
         throw Error(Code::internal, error.what());
-    } catch (const std::exception& error) { // a library or a driver refuses
+    } catch (const std::runtime_error& error) { // a library or a driver refuses
         throw Error(Code::device, error.what());
+    } catch (const std::exception& error) {
+        throw Error(Code::internal, error.what());
     }
 }
 

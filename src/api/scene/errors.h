@@ -1,4 +1,5 @@
-// Turns what the library throws into Error, the one class that leaves it.
+// Lets nothing leave the library but Error and std::bad_alloc: what the standard library throws
+// gets a code here.
 #pragma once
 
 #include <utility>
@@ -7,7 +8,7 @@
 
 namespace isomotion::api {
 
-// To be called where an exception is handled: throws the Error for it, or std::bad_alloc.
+// To be called where an exception is handled: throws it, or the Error that stands for it.
 [[noreturn]] void throw_error();
 
 template<class Work> decltype(auto) with_errors(Work&& work) {

@@ -1,5 +1,8 @@
+#include <algorithm>
+
 #include "api/scene/errors.h"
 #include "api/scene/parts.h"
+#include "scene/limits.h"
 #include "scene/scene_at.h"
 #include "truth/certify.h"
 
@@ -35,14 +38,16 @@ std::vector<FirstRoot> first_roots(const Scene& scene, int frame, int width, int
     return api::with_errors([&] {
         if (width < 1 || height < 1)
             throw Error(Error::Code::input, "a picture has at least one pixel");
+        if (std::max(width, height) > scene::limits::picture_side)
+            throw Error(Error::Code::limit, "a picture has at most 16384 pixels a side");
         const scene::Scene& all = scene.parts().scene;
         truth::Certifying how;
         how.progress = [&](double part) {
             if (watcher.stop && watcher.stop()) api::throw_stopped();
             if (watcher.progress) watcher.progress("first roots", part);
         };
-        const truth::Truth truth =
-            truth::certify(all, scene::at(all, all.timeline.values(frame)), width, height, how);
+        const truth::Truth truth = truth::certify(
+            all, scene::at(all, all.timeline.values(api::from_1(frame))), width, height, how);
         std::vector<FirstRoot> roots;
         roots.reserve(truth.roots.size());
         for (const truth::FirstRoot& found : truth.roots) roots.push_back(root_of(found));

@@ -1,3 +1,5 @@
+#include <cmath>
+
 #include <fmt/format.h>
 
 #include "api/scene/errors.h"
@@ -9,6 +11,12 @@ namespace {
 
 using api::with_errors;
 
+void expect_finite(const std::string& name, double value) {
+    if (std::isfinite(value)) return;
+    throw Error(Error::Code::input,
+                fmt::format("the parameter {} must be finite, not {}", name, value));
+}
+
 formula::Field field_of(std::string_view text, const std::map<std::string, double>& parameters) {
     formula::Vocabulary vocabulary;
     for (const auto& [name, value] : parameters) {
@@ -16,6 +24,7 @@ formula::Field field_of(std::string_view text, const std::map<std::string, doubl
             throw Error(Error::Code::input,
                         fmt::format("'{}' cannot be the name of a parameter", name));
         }
+        expect_finite(name, value);
         vocabulary.parameters.push_back(name);
     }
     return formula::make_field(text, vocabulary);
@@ -50,6 +59,7 @@ Formula Formula::with(const std::string& parameter, double value) const {
         throw Error(Error::Code::input,
                     fmt::format("the formula has no parameter '{}'", parameter));
     }
+    expect_finite(parameter, value);
     found->second = value;
     Formula changed = *this;
     changed.parts_ = std::make_shared<const Parts>(parts_->field, std::move(parameters));

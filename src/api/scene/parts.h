@@ -19,4 +19,14 @@ struct Scene::Parts {
     Reach reach = Reach::own_folder;
 };
 
+namespace api {
+
+// The frame's number; throws an Error if there is no such frame.
+inline int from_1(int frame) {
+    if (frame >= 1) return frame;
+    throw Error(Error::Code::input, "frame " + std::to_string(frame) + ": frames count from 1");
+}
+
+} // namespace api
+
 } // namespace isomotion

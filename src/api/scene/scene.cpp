@@ -65,10 +65,14 @@ const std::string& Scene::title() const { return parts_->scene.title; }
 
 std::string Scene::name() const { return parts_->scene.file.stem().string(); }
 
+std::optional<fs::path> Scene::file() const {
+    if (parts_->folder || !parts_->scene.formula.empty()) return std::nullopt;
+    return parts_->scene.file;
+}
+
 std::vector<fs::path> Scene::files() const {
     std::vector<fs::path> files = scene::files_read(parts_->scene);
-    // A formula and a text are in no file.
-    if (parts_->folder || !parts_->scene.formula.empty()) std::erase(files, parts_->scene.file);
+    if (!file()) std::erase(files, parts_->scene.file);
     return files;
 }
 
@@ -88,7 +92,7 @@ std::vector<std::string> Scene::surfaces() const { return scene::surface_names(p
 std::map<std::string, double> Scene::parameters(int frame, const std::string& surface) const {
     return with_errors([&] {
         const scene::Scene& one = surface_of(parts_->scene, surface);
-        const animation::Values values = one.timeline.values(frame);
+        const animation::Values values = one.timeline.values(api::from_1(frame));
         const auto& tracks = one.timeline.animation.tracks();
         std::map<std::string, double> parameters;
         for (std::size_t k = 0; k < one.timeline.animation.nameable(); ++k)

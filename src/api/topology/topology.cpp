@@ -1,9 +1,12 @@
 #include <fmt/format.h>
 
+#include "api/scene/errors.h"
 #include "api/scene/parts.h"
-#include "api/topology/errors.h"
+#include "scene/found_bounds.h"
 #include "scene/nth_surface.h"
+#include "scene/scene_at.h"
 #include "scene/surfaces.h"
+#include "scene/unbounded.h"
 #include "topology/subject.h"
 #include "topology/timeline/summary.h"
 #include "topology/timeline/timeline_file.h"
@@ -44,7 +47,7 @@ topology::AnalyseOptions options_of(const topology::Subject& subject,
     topology::AnalyseOptions how;
     how.certify = certify_of(settings.certify);
     how.first = settings.first;
-    how.last = settings.last > 0 ? settings.last : subject.first.timeline.frames;
+    how.last = settings.last != 0 ? settings.last : subject.first.timeline.frames;
     how.threads = settings.threads;
     if (!(1 <= how.first && how.first < how.last)) {
         throw Error(Error::Code::input,
@@ -60,6 +63,23 @@ topology::AnalyseOptions options_of(const topology::Subject& subject,
     how.stop = watcher.stop;
     how.progress = watcher.progress;
     return how;
+}
+
+// Bounds that had to be found hold the scene's own frames: a scene of more frames has others.
+Scene with_bounds_of_all(const Scene& scene, const TopologySettings& settings) {
+    if (settings.last <= scene.frames() || !scene::are_bounds_found(scene.parts().scene))
+        return scene;
+    return scene.with("time.frames", settings.last);
+}
+
+void warn_of_unbounded(const topology::Subject& subject, int frame, const Watcher& watcher) {
+    if (!watcher.warn) return;
+    for (const scene::Scene* scene :
+         {&subject.first, subject.second ? &*subject.second : nullptr}) {
+        if (!scene) continue;
+        const scene::SceneAt now = scene::at(*scene, scene->timeline.values(frame));
+        if (const auto why = scene::why_unbounded(*scene, now)) watcher.warn(*why);
+    }
 }
 
 topology::TimelineRecord record_of(const topology::Subject& subject,
@@ -94,8 +114,10 @@ TopologyEvent event_of(const topology::Event& from) {
 } // namespace
 
 Topology topology_of(const Scene& scene, const TopologySettings& settings, const Watcher& watcher) {
-    return api::with_topology_errors([&] {
-        const topology::Subject subject = subject_of(scene.parts().scene, settings);
+    return api::with_errors([&] {
+        const Scene searched = with_bounds_of_all(scene, settings);
+        const topology::Subject subject = subject_of(searched.parts().scene, settings);
+        warn_of_unbounded(subject, settings.first, watcher);
         const topology::TimelineRecord record =
             record_of(subject, options_of(subject, settings, watcher));
         const topology::Timeline& timeline = record.timeline;

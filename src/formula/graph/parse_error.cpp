@@ -65,7 +65,7 @@ std::string with_caret(std::string_view text, std::size_t offset, const std::str
 } // namespace
 
 ParseError::ParseError(std::string_view text, std::size_t offset, const std::string& message)
-    : std::runtime_error(with_caret(text, offset, message))
+    : Error(Code::formula, with_caret(text, offset, message))
     , message_(message) {
     const Place place = locate(text, offset);
     line_ = place.line;

@@ -13,9 +13,10 @@
 // Constant: pi. `name = expression;` names a repeated part.
 #pragma once
 
-#include <stdexcept>
 #include <string>
 #include <string_view>
+
+#include <isomotion/error.h>
 
 #include "formula/graph/graph.h"
 #include "formula/graph/names.h"
@@ -23,7 +24,7 @@
 
 namespace isomotion::formula {
 
-class ParseError : public std::runtime_error {
+class ParseError : public Error {
 public:
     // `offset` is a byte offset into `text`. what() is the message, followed by the line of the
     // formula with the mistake and a caret below the place.

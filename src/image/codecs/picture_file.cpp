@@ -54,7 +54,7 @@ std::vector<std::byte> bytes_of(const std::filesystem::path& file, std::size_t m
     try {
         return base::read_whole(file, most, within);
     } catch (const base::FileError& error) {
-        if (error.code() != EFBIG) throw;
+        if (error.system_code() != EFBIG) throw;
         fail(file.string(), fmt::format("has more than {} MB, the most that is read", most >> 20));
     }
 }

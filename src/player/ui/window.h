@@ -10,6 +10,8 @@
 
 #include <glm/glm.hpp>
 
+#include <isomotion/error.h>
+
 #include "gpu/glfw_context.h"
 #include "gpu/screen.h"
 #include "player/model/memory.h"
@@ -34,9 +36,10 @@ struct PlacedPicture {
 };
 
 // There is no display, or no OpenGL on it.
-class NoWindow : public std::runtime_error {
+class NoWindow : public Error {
 public:
-    using std::runtime_error::runtime_error;
+    explicit NoWindow(const std::string& message)
+        : Error(Code::device, message) {}
 };
 
 // The main thread has at most one. Its context is current there during its lifetime.

@@ -106,6 +106,7 @@ void override_key(toml::table& document, const std::string& setting) {
     toml::table parsed;
     try { // as TOML, else as an expression or a name: m=2.5, m="2+t", m=2+t, camera.up=[0,1,0]
         parsed = toml::parse("value = " + value);
+        if (parsed.size() > 1) throw SceneError(fmt::format("--set {}: write one value", setting));
     } catch (const toml::parse_error&) {
         parsed.insert("value", value);
     }

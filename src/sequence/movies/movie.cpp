@@ -62,7 +62,8 @@ Container container_of(const std::filesystem::path& movie) {
     if (extension == ".webm") return {"webm", true, 1000, joined({yuv420, threads, vp9})};
     // Delays count hundredths of a second, and browsers play a delay of 1 at a tenth of the speed.
     if (extension == ".gif") return {"gif", false, 50, gif};
-    throw MovieError(fmt::format("{}: a movie's name ends in .mp4, .webm or .gif", movie.string()));
+    throw Error(Error::Code::input,
+                fmt::format("{}: a movie's name ends in .mp4, .webm or .gif", movie.string()));
 }
 
 void check_rate(const std::filesystem::path& movie, const Container& container,
@@ -70,9 +71,10 @@ void check_rate(const std::filesystem::path& movie, const Container& container,
     // In double: the product of two 64-bit integers may overflow.
     const double rounded = double(rate.numerator) / double(rate.denominator);
     if (rate.numerator < 1 || rate.denominator < 1 || rounded > container.most_frames_per_second)
-        throw MovieError(fmt::format("{}: {} frames per second; {} takes more than 0 and up to {}",
-                                     movie.string(), image::to_text(rate), container.name,
-                                     container.most_frames_per_second));
+        throw Error(Error::Code::input,
+                    fmt::format("{}: {} frames per second; {} takes more than 0 and up to {}",
+                                movie.string(), image::to_text(rate), container.name,
+                                container.most_frames_per_second));
 }
 
 struct Size {
@@ -122,7 +124,8 @@ void check_movie(const std::filesystem::path& movie, image::Rational frames_per_
 
 void expect_ffmpeg() {
     if (!base::find_program("ffmpeg"))
-        throw MovieError("ffmpeg is not on PATH: install it with apt-get install ffmpeg");
+        throw Error(Error::Code::device,
+                    "ffmpeg is not on PATH: install it with apt-get install ffmpeg");
 }
 
 bool write_movie(const std::filesystem::path& movie, const MoviePictures& pictures,
@@ -130,7 +133,7 @@ bool write_movie(const std::filesystem::path& movie, const MoviePictures& pictur
     const Container container = container_of(movie);
     check_rate(movie, container, frames_per_second);
     if (pictures.count == 0)
-        throw MovieError(movie.string() + ": a movie needs at least one picture");
+        throw Error(Error::Code::input, movie.string() + ": a movie needs at least one picture");
     expect_ffmpeg();
     const auto ffmpeg = base::find_program("ffmpeg");
 
@@ -147,9 +150,10 @@ bool write_movie(const std::filesystem::path& movie, const MoviePictures& pictur
         if (stopped()) return false;
         if (i > 0) frame = pictures.picture(i);
         if (Size{frame.width, frame.height} != size)
-            throw MovieError(fmt::format("{}: is {} x {}, but the movie's first picture is {} x {}",
-                                         pictures.name(i), frame.width, frame.height, size.width,
-                                         size.height));
+            throw Error(Error::Code::input,
+                        fmt::format("{}: is {} x {}, but the movie's first picture is {} x {}",
+                                    pictures.name(i), frame.width, frame.height, size.width,
+                                    size.height));
         fed = encoder.feed(screen_bytes(frame, shown), stopped);
     }
     // Words are an error even with status 0: ffmpeg 5.1 ends like this when the disk fills up while
@@ -158,8 +162,8 @@ bool write_movie(const std::filesystem::path& movie, const MoviePictures& pictur
     if (stopped()) return false; // a terminal's Ctrl-C reaches ffmpeg too
     const std::string words = encoder.last_words(5);
     if (!ended_well || !fed || !words.empty())
-        throw MovieError(
-            fmt::format("{}: ffmpeg failed ({}): {}", movie.string(), encoder.ending(), words));
+        throw Error(Error::Code::file, fmt::format("{}: ffmpeg failed ({}): {}", movie.string(),
+                                                   encoder.ending(), words));
     partial.publish();
     return true;
 }

@@ -5,23 +5,17 @@
 #include <filesystem>
 #include <functional>
 #include <span>
-#include <stdexcept>
 #include <string>
 
 #include "image/frame.h"
 
 namespace isomotion::sequence {
 
-// A movie could not be made. The message includes ffmpeg's own, if there is one.
-class MovieError : public std::runtime_error {
-    using std::runtime_error::runtime_error;
-};
-
-// Throws a MovieError unless the name's extension is one of the three below and its format supports
-// that rate, so that this is known before the first picture is rendered.
+// Throws an Error (input) unless the name's extension is one of the three below and its format
+// supports that rate, so that this is known before the first picture is rendered.
 void check_movie(const std::filesystem::path& movie, image::Rational frames_per_second);
 
-// Throws a MovieError if there is no ffmpeg.
+// Throws an Error (device) if there is no ffmpeg.
 void expect_ffmpeg();
 
 // The pictures of a movie, each asked for once and in order: as files, or as they are drawn.
@@ -37,8 +31,8 @@ struct MoviePictures {
 // with the same ffmpeg. The file appears only when it is complete. Returns false if `stop` returned
 // true before that.
 //
-// Throws a MovieError; what `picture` throws; a FileError if the movie cannot be written there; a
-// std::system_error if ffmpeg exists but does not start.
+// Throws an Error, with ffmpeg's own words if it fails; what `picture` throws; a FileError if the
+// movie cannot be written there; a std::system_error if ffmpeg exists but does not start.
 bool write_movie(const std::filesystem::path& movie, const MoviePictures& pictures,
                  image::Rational frames_per_second, const std::function<bool()>& stop = {});
 

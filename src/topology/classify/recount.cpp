@@ -70,10 +70,11 @@ Recount recount(const Timeline& timeline, const Recounting& how) {
         const Step& span = spans[doubted[d]];
         if (!proofs[d]) continue;
         if (*proofs[d] != *span.solid) {
-            throw Contradiction(fmt::format(
-                "the events leave {} from {} s to {} s, and a proof of the frame at {} s has {}",
-                in_words(*span.solid), span.time.lo, span.time.hi, mid(span.time),
-                in_words(*proofs[d])));
+            throw Error(Error::Code::internal,
+                        fmt::format("isomotion contradicts itself: the events leave {} from {} s "
+                                    "to {} s, and a proof of the frame at {} s has {}",
+                                    in_words(*span.solid), span.time.lo, span.time.hi,
+                                    mid(span.time), in_words(*proofs[d])));
         }
         ++all.agree;
     }

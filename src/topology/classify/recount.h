@@ -10,17 +10,10 @@
 
 #include <functional>
 #include <optional>
-#include <stdexcept>
 
 #include "topology/timeline/event.h"
 
 namespace isomotion::topology {
-
-// Two proofs exclude each other. This is a fault of the program, and neither may be believed.
-class Contradiction : public std::runtime_error {
-public:
-    using std::runtime_error::runtime_error;
-};
 
 struct Recounting {
     // Counts signs on a grid with so many vertices along each side. Any thread may call it.
@@ -33,7 +26,7 @@ struct Recounting {
 };
 
 // Takes a timeline whose kinds are found. Counts each span whose numbers it has proved, and throws
-// Contradiction where a proof of a frame has others.
+// an Error (internal) where a proof of a frame has others: neither may be believed.
 Recount recount(const Timeline& timeline, const Recounting& how);
 
 } // namespace isomotion::topology

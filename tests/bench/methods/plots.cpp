@@ -51,7 +51,8 @@ void draw(const Script& script, const std::filesystem::path& file, int width, in
     if (pipe) std::fputs(text.c_str(), pipe);
     const int status = pipe ? pclose(pipe) : -1;
     if (status != 0 || !std::filesystem::exists(file)) {
-        throw PlotError("gnuplot could not plot " + file.string() + "; install it: gnuplot-nox");
+        throw Error(Error::Code::device,
+                    "gnuplot could not plot " + file.string() + "; install it: gnuplot-nox");
     }
 }
 

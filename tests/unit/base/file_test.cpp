@@ -26,7 +26,7 @@ int code_of_writing(const std::filesystem::path& path, std::size_t size) {
         write_whole(path, bytes(size));
     } catch (const FileError& error) {
         EXPECT_NE(std::string(error.what()).find(path.string()), std::string::npos) << error.what();
-        return error.code();
+        return error.system_code();
     }
     return 0;
 }

@@ -51,12 +51,11 @@ TEST(ManifestJson, SaysNothingThatATerminalObeys) {
     };
     EXPECT_NO_THROW(parse_sequence(replaced("Sphere", "Ball"), "a"));
     for (const char* text : {"Sphere\\n  whole", "\\u001b[2J", "a\\rb", "\\u202ea", "\\u0007"}) {
-        EXPECT_THROW(parse_sequence(replaced("Sphere", text), "a"), ManifestError) << text;
-        EXPECT_THROW(parse_sequence(replaced("llvmpipe", text), "a"), ManifestError) << text;
-        EXPECT_THROW(parse_sequence(replaced("0.1.0", text), "a"), ManifestError) << text;
+        EXPECT_THROW(parse_sequence(replaced("Sphere", text), "a"), Error) << text;
+        EXPECT_THROW(parse_sequence(replaced("llvmpipe", text), "a"), Error) << text;
+        EXPECT_THROW(parse_sequence(replaced("0.1.0", text), "a"), Error) << text;
     }
-    EXPECT_THROW(parse_sequence(replaced("Sphere", std::string(5000, 'x').c_str()), "a"),
-                 ManifestError);
+    EXPECT_THROW(parse_sequence(replaced("Sphere", std::string(5000, 'x').c_str()), "a"), Error);
 }
 
 TEST(ManifestJson, RefusesCountsThatNoFrameHas) {
@@ -65,7 +64,7 @@ TEST(ManifestJson, RefusesCountsThatNoFrameHas) {
         std::string text = whole;
         const std::string key = "\"evaluations\": 0";
         text.replace(text.find(key), key.size(), std::string("\"evaluations\": ") + number);
-        EXPECT_THROW(parse_frame_record(text, "a"), ManifestError) << number;
+        EXPECT_THROW(parse_frame_record(text, "a"), Error) << number;
     }
 }
 
@@ -79,12 +78,12 @@ TEST(ManifestJson, AValueThatIsNoneStaysNone) {
 TEST(ManifestJson, WhatIsCutOffOrDamagedIsRefused) {
     const std::string whole = to_json(some_sequence()), frame = to_json(FrameRecord{});
     for (std::size_t length = 0; length + 2 < whole.size(); ++length) {
-        EXPECT_THROW(parse_sequence(whole.substr(0, length), "a"), ManifestError) << length;
+        EXPECT_THROW(parse_sequence(whole.substr(0, length), "a"), Error) << length;
     }
-    EXPECT_THROW(parse_sequence(frame, "a"), ManifestError);
-    EXPECT_THROW(parse_frame_record(whole, "a"), ManifestError);
+    EXPECT_THROW(parse_sequence(frame, "a"), Error);
+    EXPECT_THROW(parse_frame_record(whole, "a"), Error);
     for (const char* text : {"", "[]", "3", "null", "{}", R"({"format": 3})"}) {
-        EXPECT_THROW(parse_sequence(text, "a"), ManifestError) << text;
+        EXPECT_THROW(parse_sequence(text, "a"), Error) << text;
     }
     const unsigned seed = std::random_device{}();
     SCOPED_TRACE(seed);
@@ -94,7 +93,7 @@ TEST(ManifestJson, WhatIsCutOffOrDamagedIsRefused) {
         damaged[random() % damaged.size()] = char(random() % 256);
         try {
             parse_frame_record(damaged, "a");
-        } catch (const ManifestError&) {
+        } catch (const Error&) {
         }
     }
 }

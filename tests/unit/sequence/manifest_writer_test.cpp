@@ -89,7 +89,7 @@ TEST_F(RecordingTest, TheManifestOfOtherFilesIsKept) {
     other.format.pattern = "b.##.png";
     const std::string text = to_json(other);
     base::write_whole(sequence_file(manifest()), std::as_bytes(std::span(text)));
-    EXPECT_THROW(ManifestWriter(name(), some_sequence()), ConflictError);
+    EXPECT_THROW(ManifestWriter(name(), some_sequence()), Error);
     EXPECT_EQ(read_sequence(manifest()).format.pattern, "b.##.png");
 }
 
@@ -110,7 +110,7 @@ TEST_F(RecordingTest, AnotherSequenceIsRefusedWhileSomebodyIsAtWork) {
         try {
             ManifestWriter(name(), other);
             FAIL();
-        } catch (const ConflictError& clash) {
+        } catch (const Error& clash) {
             EXPECT_NE(std::string(clash.what()).find("size 4x3, not 64x3"), std::string::npos)
                 << clash.what();
         }
@@ -136,7 +136,7 @@ TEST_F(RecordingTest, OfManyDifferentOnesOneWins) {
             try {
                 recording.emplace(name(), mine);
                 ++joined;
-            } catch (const ConflictError&) {
+            } catch (const Error&) {
                 ++refused;
             }
             all_tried.arrive_and_wait(); // at work until all have tried

@@ -46,7 +46,7 @@ protected:
     std::string message(const std::string& name, image::Rational rate = {30, 1}) {
         try {
             write_movie(folder_ / name, pictures_, rate);
-        } catch (const MovieError& error) {
+        } catch (const Error& error) {
             return error.what();
         }
         return "no error";
@@ -162,7 +162,7 @@ TEST_F(RealMovie, AFullDiskIsReportedAndLeavesNothing) {
         try {
             write_movie(small / name, pictures_, {30, 1});
             ADD_FAILURE() << name;
-        } catch (const MovieError& error) {
+        } catch (const Error& error) {
             EXPECT_NE(std::string(error.what()).find("No space left"), std::string::npos);
         }
         EXPECT_TRUE(small.names().empty()) << name;

@@ -95,7 +95,7 @@ TEST_F(Writer, FirstErrorStopsAndComesOut) {
         writer.finish();
         FAIL();
     } catch (const base::FileError& error) {
-        EXPECT_EQ(error.code(), ENOENT);
+        EXPECT_EQ(error.system_code(), ENOENT);
         EXPECT_EQ(error.path(), folder_ / "none/a.0001.exr");
     }
 }
@@ -119,7 +119,7 @@ TEST_F(Writer, AFullDiskComesOutAndLeavesWholeFilesOnly) {
         writer.finish();
         FAIL();
     } catch (const base::FileError& error) {
-        EXPECT_EQ(error.code(), ENOSPC);
+        EXPECT_EQ(error.system_code(), ENOSPC);
     }
     EXPECT_FALSE(folder_.names().empty());
     for (const std::string& file : folder_.names()) EXPECT_NO_THROW(image::decode(folder_ / file));

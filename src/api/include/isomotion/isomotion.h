@@ -1,5 +1,6 @@
 // isomotion as a library: implicit surfaces F(x, y, z; parameters) = 0 that move are drawn, proved
-// and exported. This is the only header; no other library's types are in it.
+// and exported. This header and its part error.h are all there is; no other library's types are in
+// them.
 //
 //     const isomotion::Scene scene = isomotion::Scene::load("blobby75").with("output.size", "[640,
 //     480]"); isomotion::Device device; isomotion::Renderer(device,
@@ -10,7 +11,9 @@
 //
 // Functions throw Error, or std::bad_alloc. Objects but Device and Renderer are values that never
 // change: copies are cheap, and all threads may use them. A Device and its Renderers belong to the
-// thread that made the Device. Callbacks must not throw.
+// thread that made the Device. Several threads may have one each if all are of one kind and the
+// first was made before the other threads began. Callbacks must not throw. Proofs and bounds hold
+// while processors round to nearest, as they do unless a program changes it.
 #pragma once
 
 #include <array>
@@ -22,36 +25,17 @@
 #include <memory>
 #include <optional>
 #include <span>
-#include <stdexcept>
 #include <string>
 #include <string_view>
 #include <utility>
 #include <vector>
 
+#include <isomotion/error.h>
+
 namespace isomotion {
 
-class Error : public std::runtime_error {
-public:
-    enum class Code {
-        input,    // a scene, a setting or an argument: "file:line: key: what is wrong"
-        formula,  // text of a Formula, with a caret below the mistake
-        device,   // no OpenGL, no more threads, or the driver cannot do what it is asked
-        file,     // the file system refuses, or a file is not what isomotion wrote
-        stopped,  // a callback asked for it
-        limit,    // too long, too large, or not decided within the limits
-        internal, // a fault of this library: please report it
-    };
-    Error(Code code, const std::string& message)
-        : std::runtime_error(message)
-        , code_(code) {}
-    Code code() const noexcept { return code_; }
-
-private:
-    Code code_;
-};
-
-// Names the folder that holds shaders/ and animations/, for programs that are not installed beside
-// isomotion. Packages found by CMake call it. $ISOMOTION_DATA goes before it.
+// Names the folder that holds shaders/ and animations/. Programs that find isomotion by CMake need
+// not: this header does it for them. $ISOMOTION_DATA goes before it.
 void set_data_folder(const std::filesystem::path& folder);
 #ifdef ISOMOTION_DATA_FOLDER
 inline const bool data_folder_is_set = (set_data_folder(ISOMOTION_DATA_FOLDER), true);
@@ -77,7 +61,7 @@ public:
     explicit Formula(std::string_view text, std::map<std::string, double> parameters = {});
     // The same formula with another value of a parameter.
     Formula with(const std::string& parameter, double value) const;
-    const std::map<std::string, double>& parameters() const;
+    const std::map<std::string, double>& parameters() const; // finite numbers
 
     double value(const Point& at) const;
     Point gradient(const Point& at) const;
@@ -85,6 +69,10 @@ public:
     // Holds F at every point of the box, whatever is rounded; everything where F has no value
     // somewhere.
     Interval bound(const Box& box) const;
+
+    // There is no move, which would leave nothing behind.
+    Formula(const Formula&) = default;
+    Formula& operator=(const Formula&) = default;
 
 private:
     struct Parts;
@@ -114,7 +102,9 @@ public:
     const std::string& title() const;
     // A name for files: that of the scene's own without its extension, "formula" or "scene".
     std::string name() const;
-    // Files that the scene was read from; none for a formula or a text that names no file.
+    // Its own file; none for a formula or a text.
+    std::optional<std::filesystem::path> file() const;
+    // All files that the scene was read from, each once.
     std::vector<std::filesystem::path> files() const;
     int frames() const;
     double frames_per_second() const;
@@ -126,6 +116,9 @@ public:
     std::vector<std::string> surfaces() const;
     // The parameters of a surface with their values at a frame.
     std::map<std::string, double> parameters(int frame, const std::string& surface = {}) const;
+
+    Scene(const Scene&) = default;
+    Scene& operator=(const Scene&) = default;
 
     struct Parts; // for isomotion itself
     explicit Scene(std::shared_ptr<const Parts> parts);
@@ -146,7 +139,7 @@ struct FirstRoot {
     Answer answer = Answer::miss;
     Interval root, touch; // t on the ray, in the first surface's coordinates
     bool hit_behind = false;
-    int surface = 0; // which is hit; -1: unknown
+    int surface = 0; // which is hit; -1: none, or it is unknown
 };
 
 struct Watcher {
@@ -186,7 +179,8 @@ struct Topology {
 struct TopologySettings {
     enum class Certify { off, fast, full };
     Certify certify = Certify::full;
-    int first = 1, last = 0;                    // frames; 0: the scene's last
+    // 0: the scene's last frame. Later ones may be searched, too: motions go on.
+    int first = 1, last = 0;
     std::string surface = {};                   // of [[surfaces]]
     std::string touching = {};                  // another one: what both have in common
     std::optional<bool> solid_is_negative = {}; // unset: the side that the bounds don't touch
@@ -198,7 +192,8 @@ struct TopologySettings {
 Topology topology_of(const Scene& scene, const TopologySettings& settings = {},
                      const Watcher& watcher = {});
 
-// An OpenGL context, without a window that is seen.
+// An OpenGL context, without a window that is seen. One that was moved from can only be assigned
+// to.
 class Device {
 public:
     enum class Kind { automatic, egl, osmesa, window };
@@ -245,7 +240,8 @@ struct RenderSettings {
     std::vector<std::string> channels = {}; // "z", "n", "verdict", ...: docs/rendering.md
 };
 
-// Draws frames of one scene, whose shaders are compiled once.
+// Draws frames of one scene, whose shaders are compiled once. Frames beyond the scene's last are
+// there, too. One that was moved from can only be assigned to.
 class Renderer {
 public:
     // The device must outlive it.
@@ -262,8 +258,8 @@ private:
 };
 
 // Joins pictures of one size to a .mp4, .webm or .gif by the ffmpeg on PATH, at the scene's rate.
-// `picture` is asked for 0 to count - 1, in order. Returns false if it was stopped; then no file is
-// left.
+// `picture` is asked for 0 to count - 1, in order. Returns false if it was stopped; then a file of
+// that name is as it was.
 bool write_movie(const std::filesystem::path& file, const Scene& scene, int count,
                  const std::function<Picture(int)>& picture, const Watcher& watcher = {});
 
@@ -304,6 +300,6 @@ struct PageSettings {
 
 // A scene as one HTML file, which plays it in a browser.
 std::string page_of(const Scene& scene, const PageSettings& settings = {},
-                    const Watcher& watcher = {});
+                    const std::function<void(const std::string&)>& warn = {});
 
 } // namespace isomotion

@@ -1,4 +1,4 @@
-// Keeps outputs from replacing the files that a command reads.
+// Keeps outputs from replacing the files that they are made from.
 #pragma once
 
 #include <cstdint>
@@ -11,7 +11,7 @@
 #include "scene/scene.h"
 #include "sequence/names/sequence_name.h"
 
-namespace isomotion::app {
+namespace isomotion::sequence {
 
 // Files are known by what they are, not by their names: "./a", a link and another name of the same
 // file are one.
@@ -19,23 +19,19 @@ class Inputs {
 public:
     explicit Inputs(const std::vector<std::filesystem::path>& files);
     explicit Inputs(const scene::Scene& scene);
-    // Of all animations, also of those that have mistakes.
-    static Inputs of_gallery();
 
-    // Another file that the command reads; empty: none.
+    // Another file that is read; empty: none.
     void add(const std::filesystem::path& file);
 
     // Each throws std::invalid_argument, naming the option and the input, if something would be
     // written over an input. Call them before anything is written. An empty name writes nothing.
     void expect_apart(std::string_view option, const std::filesystem::path& output) const;
     // The same for all frames of a name. Looks only at files that are there.
-    void expect_apart(std::string_view option, const sequence::SequenceName& frames) const;
+    void expect_apart(std::string_view option, const SequenceName& frames) const;
 
 private:
-    Inputs() = default;
-
     using Identity = std::pair<std::uint64_t, std::uint64_t>; // device and inode
     std::map<Identity, std::filesystem::path> files_;
 };
 
-} // namespace isomotion::app
+} // namespace isomotion::sequence

@@ -1,4 +1,4 @@
-#include "app/inputs.h"
+#include "sequence/inputs.h"
 
 #include <stdexcept>
 
@@ -6,12 +6,9 @@
 
 #include "base/file_stamp.h"
 #include "base/printable.h"
-#include "scene/data_folder.h"
-#include "scene/error.h"
 #include "scene/files_read.h"
-#include "scene/reading/load.h"
 
-namespace isomotion::app {
+namespace isomotion::sequence {
 namespace fs = std::filesystem;
 
 Inputs::Inputs(const std::vector<fs::path>& files) {
@@ -20,18 +17,6 @@ Inputs::Inputs(const std::vector<fs::path>& files) {
 
 Inputs::Inputs(const scene::Scene& scene)
     : Inputs(scene::files_read(scene)) {}
-
-Inputs Inputs::of_gallery() {
-    Inputs inputs;
-    for (const std::string& name : scene::animation_names()) {
-        inputs.add(scene::animation_file(name));
-        try {
-            for (const fs::path& file : scene::files_read(scene::load(name))) inputs.add(file);
-        } catch (const scene::SceneError&) { // its own file is known
-        }
-    }
-    return inputs;
-}
 
 void Inputs::add(const fs::path& file) {
     if (const auto stamp = base::stamp_of(file))
@@ -49,7 +34,7 @@ void Inputs::expect_apart(std::string_view option, const fs::path& output) const
         base::printable_line(output.string()), base::printable_line(input->second.string())));
 }
 
-void Inputs::expect_apart(std::string_view option, const sequence::SequenceName& frames) const {
+void Inputs::expect_apart(std::string_view option, const SequenceName& frames) const {
     if (!frames.holds_many()) return expect_apart(option, frames.path(1));
     const fs::path folder = frames.folder().empty() ? "." : frames.folder();
     std::error_code none; // a folder that is not there yet holds no input
@@ -58,4 +43,4 @@ void Inputs::expect_apart(std::string_view option, const sequence::SequenceName&
     }
 }
 
-} // namespace isomotion::app
+} // namespace isomotion::sequence
