@@ -57,13 +57,13 @@ TEST(TopologyOf, FramesBeyondTheLastHasBoundsOfThem) {
     EXPECT_EQ(found.end, (Betti{2, 0, 0}));
 }
 
-TEST(TopologyOf, WarnsWhereFHasNoBounds) {
+TEST(TopologyOf, WarnsOfADivisorThatIs0) {
     std::string warning;
     const Watcher watcher{.warn = [&](const std::string& words) { warning = words; }};
     topology_of(Scene::parse("[time]\nframes = 2\n[surface]\nbounds = { sphere = 1 }\n"
-                             "formula = 'exp(exp(exp(exp(9 + x^2)))) - 2'\n"),
+                             "formula = 'x^2/m + y^2 - 1'\n[parameters]\nm = 't'\n"),
                 {}, watcher);
-    EXPECT_NE(warning, "");
+    EXPECT_NE(warning.find("parameters.m is 0"), std::string::npos) << warning;
 }
 
 TEST(TopologyOf, TwoSurfacesIsWhereTheyTouch) {

@@ -68,21 +68,29 @@ TEST_F(FindPackage, InstallsOneHeaderAndItsPartThatStandAlone) {
     }
 }
 
-// The source tree is a part of a project, which builds what it links and finds the data there.
-TEST_F(FindPackage, OrTheSourceTreeIsAPartOfTheProject) {
-    const fs::path example = fs::path(ISOMOTION_SOURCE_DIR) / "tests/package/example";
-    const image::TemporaryFolder build;
-    done({CMAKE_PROGRAM, "-S", example, "-B", build.path(), "-G", "Ninja",
-          "-DCMAKE_BUILD_TYPE=Release", "-DCMAKE_UNITY_BUILD=ON",
-          "-DISOMOTION_SOURCE=" ISOMOTION_SOURCE_DIR});
-    done({CMAKE_PROGRAM, "--build", build.path(), "--target", "meeting"});
-    const cli::Ending ending =
-        done({build / "meeting", example / "meeting.toml"},
-             {.folder = build.path(), .environment = {{"ISOMOTION_DATA", std::nullopt}}});
-    EXPECT_THAT(ending.out, ContainsRegex("meeting.png: [1-9][0-9]+ of 9216 rays hit"));
-    EXPECT_FALSE(fs::exists(build / "isomotion/isomotion")); // the program is not built
+// As a module of Python or a plug-in does.
+TEST_F(FindPackage, ASharedLibraryMayHoldIt) {
+    const image::TemporaryFolder project;
+    std::ofstream(project / "CMakeLists.txt")
+        << "cmake_minimum_required(VERSION 3.25)\nproject(shared LANGUAGES CXX)\n"
+        << "find_package(isomotion REQUIRED)\n"
+        << "add_library(shared SHARED shared.cpp)\n"
+        << "target_link_libraries(shared PRIVATE isomotion::isomotion)\n"
+        << "target_link_options(shared PRIVATE LINKER:--no-undefined)\n";
+    std::ofstream(project / "shared.cpp")
+        << "#include <isomotion/isomotion.h>\n"
+        << "std::string summary() {\n"
+        << "    const auto scene = isomotion::Scene::load(\"torus\");\n"
+        << "    isomotion::Device device;\n"
+        << "    isomotion::Renderer(device, scene).draw(1).write(\"torus.png\");\n"
+        << "    return isomotion::topology_of(scene).summary + isomotion::page_of(scene);\n"
+        << "}\n";
+    const cli::Ending configured = configure(project.path(), project / "build");
+    ASSERT_EQ(configured.code, 0) << configured;
+    done({CMAKE_PROGRAM, "--build", project / "build"});
 }
 
+// Builds of the source tree as a part of a project take longer: tests/package/CMakeLists.txt.
 TEST_F(FindPackage, OrFetchContentHasMadeItAvailable) {
     const image::TemporaryFolder project;
     std::ofstream(project / "CMakeLists.txt")

@@ -74,8 +74,7 @@ std::vector<synthesis::Channel> channels_of(const std::vector<std::string>& name
     }
     // One order, whatever the caller's: it decides the shaders' text.
     std::ranges::sort(channels);
-    const auto twice = std::ranges::unique(channels);
-    channels.erase(twice.begin(), twice.end());
+    channels.erase(std::unique(channels.begin(), channels.end()), channels.end());
     return channels;
 }
 

@@ -9,6 +9,10 @@
 namespace isomotion {
 
 struct Renderer::Parts {
+    Parts(gpu::Context& context, const Scene& drawn, render::RenderOptions options)
+        : scene(drawn)
+        , renderer(context, drawn.parts().scene, std::move(options)) {}
+
     Scene scene;
     render::Renderer renderer;
 };
@@ -37,10 +41,8 @@ render::RenderOptions options_of(const scene::Scene& scene, const RenderSettings
 Renderer::Renderer(Device& device, const Scene& scene, const RenderSettings& settings,
                    Watcher watcher) {
     parts_ = api::with_errors([&] {
-        const scene::Scene& all = scene.parts().scene;
-        return std::unique_ptr<Parts>(
-            new Parts{scene, render::Renderer(*device.parts().context, all,
-                                              options_of(all, settings, watcher))});
+        return std::make_unique<Parts>(*device.parts().context, scene,
+                                       options_of(scene.parts().scene, settings, watcher));
     });
 }
 
