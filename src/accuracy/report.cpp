@@ -55,7 +55,7 @@ std::string plotted(const std::string& script) {
     if (!gnuplot) throw Error(Error::Code::device, failed);
     base::ChildProcess plotting(*gnuplot, {}, base::Output::keep);
     const bool done = plotting.feed(std::as_bytes(std::span(script))) && plotting.finish();
-    const std::string picture = plotting.output();
+    std::string picture = plotting.output();
     if (!done || picture.empty()) throw Error(Error::Code::device, failed);
     return picture;
 }

@@ -83,6 +83,7 @@ PlannedSurface::PlannedSurface(scene::Scene surface, const RenderOptions& option
 std::vector<PlannedSurface> plan_surfaces(const scene::Scene& scene, const RenderOptions& options,
                                           const gpu::ContextInfo& info) {
     std::vector<PlannedSurface> all;
+    all.reserve(scene::surface_count(scene));
     for (int k = 0; k < int(scene::surface_count(scene)); ++k)
         all.emplace_back(scene::of_surface(scene, k), options, info);
     if (all.size() == 1) return all;

@@ -69,7 +69,7 @@ fs::path data_folder() {
                                      "animations/ in it; name the one that has, or unset it",
                                      given));
     }
-    if (const fs::path named = named_folder().get(); holds_data(named)) return named;
+    if (fs::path named = named_folder().get(); holds_data(named)) return named;
     std::error_code error;
     const fs::path program = fs::read_symlink("/proc/self/exe", error);
     for (fs::path up = program.parent_path(); !error && up.has_relative_path();
