@@ -25,7 +25,6 @@
 #include "scene/nth_surface.h"
 #include "scene/reading/load.h"
 #include "scene/surfaces.h"
-#include "scene/unbounded.h"
 #include "sequence/inputs.h"
 #include "topology/timeline/betti_csv.h"
 #include "topology/timeline/expectation.h"
@@ -194,16 +193,6 @@ std::size_t write_files(const TopologyArguments& arguments, const topology::Time
     return undrawn;
 }
 
-// Where F has no bounds, all that the search tells is that it could not prove anything.
-void warn_of_unbounded(const Subject& subject, int frame) {
-    for (const scene::Scene* scene :
-         {&subject.first, subject.second ? &*subject.second : nullptr}) {
-        if (!scene) continue;
-        const scene::SceneAt now = scene::at(*scene, scene->timeline.values(frame));
-        if (const auto why = scene::why_unbounded(*scene, now)) warn(*why);
-    }
-}
-
 topology::TimelineRecord analysed(const TopologyArguments& arguments, const Subject& subject,
                                   const std::array<topology::Side, 2>& solids,
                                   std::pair<int, int> frames, const StopOnSignal& stop) {
@@ -222,12 +211,9 @@ topology::TimelineRecord analysed(const TopologyArguments& arguments, const Subj
     // A mistake in the last frame is told before minutes of searching.
     const scene::Scene& scene = subject.first;
     const formula::Interval range{scene.timeline.time(how.first), scene.timeline.time(how.last)};
-    topology::TimelineHeader header = header_of(subject, range);
-    for (const topology::Side side : solids) {
-        if (header.solids.empty() || subject.second)
-            header.solids.push_back(side == topology::Side::positive ? 1 : -1);
-    }
-    warn_of_unbounded(subject, frames.first);
+    const topology::TimelineHeader header = header_of(subject, range, solids);
+    // Where F has no bounds, all that the search tells is that it could not prove anything.
+    for (const std::string& why : topology::why_unbounded(subject, frames.first)) warn(why);
     try {
         return {header, analyse(subject, how)};
     } catch (const std::bad_alloc&) {
@@ -296,7 +282,7 @@ int contacts_of(const TopologyArguments& arguments, const scene::Scene& scene) {
                                   scene.timeline.time(frames.second)};
     for (int first = 0; first < count; ++first) {
         for (int second = first + 1; second < count; ++second)
-            header_of(topology::pair_of(scene, first, second), range);
+            header_of(topology::pair_of(scene, first, second), range, {});
     }
     const std::vector<SolidChoice> choices = parse_solids(arguments.solids, scene);
     const StopOnSignal stop;

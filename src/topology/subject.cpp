@@ -2,7 +2,9 @@
 
 #include <fmt/format.h>
 
+#include "scene/scene_at.h"
 #include "scene/surfaces.h"
+#include "scene/unbounded.h"
 
 namespace isomotion::topology {
 
@@ -13,9 +15,25 @@ Subject pair_of(const scene::Scene& scene, int first, int second) {
                         names[std::size_t(second)])};
 }
 
-TimelineHeader header_of(const Subject& subject, formula::Interval range) {
-    return subject.second ? header_of_contact(subject.first, *subject.second, subject.title, range)
-                          : header_of(subject.first, range);
+TimelineHeader header_of(const Subject& subject, formula::Interval range,
+                         const std::array<Side, 2>& solids) {
+    TimelineHeader header =
+        subject.second ? header_of_contact(subject.first, *subject.second, subject.title, range)
+                       : header_of(subject.first, range);
+    for (std::size_t k = 0; k < (subject.second ? 2u : 1u); ++k)
+        header.solids.push_back(solids[k] == Side::positive ? 1 : -1);
+    return header;
+}
+
+std::vector<std::string> why_unbounded(const Subject& subject, int frame) {
+    std::vector<std::string> reasons;
+    const auto look_at = [&](const scene::Scene& scene) {
+        const scene::SceneAt now = scene::at(scene, scene.timeline.values(frame));
+        if (auto why = scene::why_unbounded(scene, now)) reasons.push_back(std::move(*why));
+    };
+    look_at(subject.first);
+    if (subject.second) look_at(*subject.second);
+    return reasons;
 }
 
 Timeline analyse(const Subject& subject, const AnalyseOptions& how) {

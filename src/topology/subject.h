@@ -1,10 +1,13 @@
 // What a timeline is about: one surface, or what two surfaces of a scene have in common.
 #pragma once
 
+#include <array>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "topology/analyse.h"
+#include "topology/field/solid.h"
 #include "topology/timeline/timeline_header.h"
 
 namespace isomotion::topology {
@@ -18,7 +21,11 @@ struct Subject {
 // The pair of surfaces with these indices in the scene.
 Subject pair_of(const scene::Scene& scene, int first, int second);
 
-TimelineHeader header_of(const Subject& subject, formula::Interval range);
+// `solids`: of both surfaces; a subject of one surface has it twice.
+TimelineHeader header_of(const Subject& subject, formula::Interval range,
+                         const std::array<Side, 2>& solids);
+// Why F has no bounds at a frame, for each surface of which that is so.
+std::vector<std::string> why_unbounded(const Subject& subject, int frame);
 Timeline analyse(const Subject& subject, const AnalyseOptions& how);
 
 } // namespace isomotion::topology

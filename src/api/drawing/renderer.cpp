@@ -52,8 +52,8 @@ Renderer::~Renderer() = default;
 
 Picture Renderer::draw(int frame) {
     return api::with_errors([&] {
-        return api::picture_of(
-            render::expose(parts_->renderer, parts_->scene.parts().scene, api::from_1(frame)));
+        return api::picture_of(render::expose(parts_->renderer, parts_->scene.parts().scene,
+                                              api::checked_frame(frame)));
     });
 }
 

@@ -22,7 +22,7 @@ struct Scene::Parts {
 namespace api {
 
 // The frame's number; throws an Error if there is no such frame.
-inline int from_1(int frame) {
+inline int checked_frame(int frame) {
     if (frame >= 1) return frame;
     throw Error(Error::Code::input, "frame " + std::to_string(frame) + ": frames count from 1");
 }

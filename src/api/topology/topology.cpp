@@ -4,9 +4,7 @@
 #include "api/scene/parts.h"
 #include "scene/found_bounds.h"
 #include "scene/nth_surface.h"
-#include "scene/scene_at.h"
 #include "scene/surfaces.h"
-#include "scene/unbounded.h"
 #include "topology/subject.h"
 #include "topology/timeline/summary.h"
 #include "topology/timeline/timeline_file.h"
@@ -72,29 +70,6 @@ Scene with_bounds_of_all(const Scene& scene, const TopologySettings& settings) {
     return scene.with("time.frames", settings.last);
 }
 
-void warn_of_unbounded(const topology::Subject& subject, int frame, const Watcher& watcher) {
-    if (!watcher.warn) return;
-    for (const scene::Scene* scene :
-         {&subject.first, subject.second ? &*subject.second : nullptr}) {
-        if (!scene) continue;
-        const scene::SceneAt now = scene::at(*scene, scene->timeline.values(frame));
-        if (const auto why = scene::why_unbounded(*scene, now)) watcher.warn(*why);
-    }
-}
-
-topology::TimelineRecord record_of(const topology::Subject& subject,
-                                   const topology::AnalyseOptions& how) {
-    const animation::Timeline& time = subject.first.timeline;
-    topology::TimelineRecord record{
-        topology::header_of(subject, {time.time(how.first), time.time(how.last)}), {}};
-    for (const auto& solid : how.solids) {
-        if (record.header.solids.empty() || subject.second)
-            record.header.solids.push_back(*solid == topology::Side::positive ? 1 : -1);
-    }
-    record.timeline = topology::analyse(subject, how);
-    return record;
-}
-
 Interval interval(const formula::Interval& from) { return {from.lo, from.hi}; }
 
 std::optional<Betti> betti(const std::optional<topology::Betti>& from) {
@@ -117,9 +92,17 @@ Topology topology_of(const Scene& scene, const TopologySettings& settings, const
     return api::with_errors([&] {
         const Scene searched = with_bounds_of_all(scene, settings);
         const topology::Subject subject = subject_of(searched.parts().scene, settings);
-        warn_of_unbounded(subject, settings.first, watcher);
-        const topology::TimelineRecord record =
-            record_of(subject, options_of(subject, settings, watcher));
+        const topology::AnalyseOptions how = options_of(subject, settings, watcher);
+        if (watcher.warn) {
+            for (const std::string& why : topology::why_unbounded(subject, how.first))
+                watcher.warn(why);
+        }
+        const animation::Timeline& time = subject.first.timeline;
+        topology::TimelineRecord record{
+            topology::header_of(subject, {time.time(how.first), time.time(how.last)},
+                                {*how.solids[0], *how.solids[1]}),
+            {}};
+        record.timeline = topology::analyse(subject, how);
         const topology::Timeline& timeline = record.timeline;
         Topology found;
         found.start = betti(timeline.start);

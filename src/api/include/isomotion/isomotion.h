@@ -2,9 +2,9 @@
 // and exported. This header and its part error.h are all there is; no other library's types are in
 // them.
 //
-//     const isomotion::Scene scene = isomotion::Scene::load("blobby75").with("output.size", "[640,
-//     480]"); isomotion::Device device; isomotion::Renderer(device,
-//     scene).draw(scene.poster()).write("blobby75.png");
+//     const auto scene = isomotion::Scene::load("blobby75", {"output.size=[640, 480]"});
+//     isomotion::Device device;
+//     isomotion::Renderer(device, scene).draw(scene.poster()).write("blobby75.png");
 //
 // Lengths are in scene units, times in seconds, frames count from 1. Coordinates of formulas,
 // roots and events are those of the formula; those of a placed surface differ from the world's.
