@@ -17,7 +17,7 @@ const std::vector<synthesis::Channel> compared_channels{
 
 // Hits are compared by their positions, which float can't tell apart far from the origin.
 scene::SceneAt picture_of(const scene::Scene& scene, int frame) {
-    return scene::in_formula_coordinates(scene::at(scene, scene.timeline.values(frame)));
+    return scene::in_formula_coordinates(scene::at_frame(scene, frame));
 }
 
 Measurement measure_one(gpu::Context& context, const scene::Scene& scene, const Setting& setting,
@@ -31,7 +31,7 @@ Measurement measure_one(gpu::Context& context, const scene::Scene& scene, const 
     render::Renderer timed(context, changed, options);
     options.channels = compared_channels;
     if (scene::has_several_surfaces(scene)) options.channels.push_back(synthesis::Channel::surface);
-    if (scene.isolation.certify) options.channels.push_back(synthesis::Channel::proof);
+    if (scene.surface.isolation.certify) options.channels.push_back(synthesis::Channel::proof);
     render::Renderer looked_at(context, changed, options);
     Popping popping;
     std::vector<double> ms;
@@ -85,7 +85,8 @@ std::vector<Measurement> measure(gpu::Context& context, const scene::Scene& scen
     }
     std::vector<Measurement> measurements;
     for (const Setting& setting : settings) {
-        tell(name(setting, scene.isolation), double(measurements.size()) / double(settings.size()));
+        tell(name(setting, scene.surface.isolation),
+             double(measurements.size()) / double(settings.size()));
         try {
             measurements.push_back(measure_one(context, sized, setting, truths, how));
         } catch (const std::length_error& error) { // other methods have shorter shaders

@@ -29,12 +29,12 @@ bool is_own(const Setting& setting, const scene::Isolation& own) {
 } // namespace
 
 scene::Scene apply(const Setting& setting, scene::Scene scene) {
-    scene::Isolation& isolation = scene.isolation;
+    scene::Isolation& isolation = scene.surface.isolation;
     if (!is_own(setting, isolation)) {
         // Steps are lengths of each surface's own.
         for (scene::Scene& other : scene.others) {
             Setting same = setting;
-            same.step *= other.isolation.step / isolation.step;
+            same.step *= other.surface.isolation.step / isolation.step;
             other = apply(same, std::move(other));
         }
     }
@@ -50,7 +50,7 @@ scene::Scene apply(const Setting& setting, scene::Scene scene) {
 
 std::vector<Setting> sweep(const scene::Scene& scene, std::vector<scene::Method> methods,
                            std::vector<double> steps) {
-    const scene::Isolation& own = scene.isolation;
+    const scene::Isolation& own = scene.surface.isolation;
     const bool narrowed = !methods.empty() || !steps.empty();
     if (methods.empty()) {
         for (const scene::MethodTraits& entry : scene::method_traits)

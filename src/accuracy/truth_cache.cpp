@@ -24,8 +24,8 @@ std::string fingerprint(const scene::Scene& scene, const scene::SceneAt& now, in
     const auto add_values = [&](std::initializer_list<double> values) {
         print.add_values(std::span(values.begin(), values.size()));
     };
-    print.add_values(std::span(now.bindings.parameters));
-    for (const auto& array : now.bindings.arrays) {
+    print.add_values(std::span(now.surface.bindings.parameters));
+    for (const auto& array : now.surface.bindings.arrays) {
         add_values({double(array.count)});
         for (const auto& field : array.fields) print.add_values(std::span(field));
     }
@@ -34,14 +34,15 @@ std::string fingerprint(const scene::Scene& scene, const scene::SceneAt& now, in
                     section.reach});
     }
     const scene::CameraAt& camera = now.camera;
-    const scene::PlacementAt& place = now.placement;
+    const scene::PlacementAt& place = now.surface.placement;
     for (const glm::dvec3& v :
-         {now.bounds.min, now.bounds.max, now.bounds.centre, place.translate, place.rotate[0],
-          place.rotate[1], place.rotate[2], camera.position, camera.target, camera.up}) {
+         {now.surface.bounds.min, now.surface.bounds.max, now.surface.bounds.centre,
+          place.translate, place.rotate[0], place.rotate[1], place.rotate[2], camera.position,
+          camera.target, camera.up}) {
         add_values({v.x, v.y, v.z});
     }
-    add_values({double(now.bounds.shape == scene::Bounds::Shape::box), now.bounds.radius,
-                place.scale, camera.fov, camera.height, camera.zoom,
+    add_values({double(now.surface.bounds.shape == scene::Bounds::Shape::box),
+                now.surface.bounds.radius, place.scale, camera.fov, camera.height, camera.zoom,
                 double(camera.projection == scene::Camera::Projection::orthographic), double(width),
                 double(height), double(budget.evaluations), budget.narrow, budget.narrowest,
                 budget.bracket});

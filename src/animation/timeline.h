@@ -1,15 +1,14 @@
-// Converts a frame number to the values that the frame shows. There is no other way to do this.
+// Converts a frame number to the time that the frame shows. There is no other way to do this.
 //
-// Playing, exporting, measuring and topology all call it, so frame 812 alone equals frame 812 of
-// the whole sequence. Frames count from 1; frame f shows time (f - 1) / fps.
+// Playing, exporting, measuring and topology all call it, and all values are functions of time, so
+// frame 812 alone equals frame 812 of the whole sequence. Frames count from 1; frame f shows time
+// (f - 1) / fps.
 #pragma once
 
 #include <cstdint>
 #include <optional>
 #include <string>
 #include <string_view>
-
-#include "animation/animation.h"
 
 namespace isomotion::animation {
 
@@ -28,7 +27,6 @@ std::string to_string(FrameRate rate); // "30", "30000/1001"
 struct Timeline {
     FrameRate fps;
     int frames = 1;
-    Animation animation;
     bool loops = false; // the frame after the last would equal the first
 
     double time(std::int64_t frame) const {
@@ -38,8 +36,6 @@ struct Timeline {
     double time(std::int64_t frame, double part) const {
         return time(frame) + part * double(fps.denominator) / double(fps.numerator);
     }
-    Values values(std::int64_t frame) const { return animation.at(time(frame)); }
-    Values values(std::int64_t frame, double part) const { return animation.at(time(frame, part)); }
 };
 
 } // namespace isomotion::animation

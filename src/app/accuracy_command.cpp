@@ -114,7 +114,7 @@ accuracy::Report measured(const AccuracyArguments& arguments) {
     measuring.frames = arguments.frames.empty() ? std::vector{scene.output.poster}
                                                 : animation::parse_frame_range(arguments.frames);
     expect_frames_of(measuring.frames, scene);
-    for (const int frame : measuring.frames) scene::at(scene, scene.timeline.values(frame));
+    for (const int frame : measuring.frames) scene::at_frame(scene, frame);
     measuring.width = scene.output.width;
     measuring.height = scene.output.height;
     measuring.repeat = arguments.repeat;
@@ -136,7 +136,7 @@ accuracy::Report measured(const AccuracyArguments& arguments) {
     accuracy::Report report{scene.title,
                             fmt::format("{}, {}, {} shaders", context->info().renderer,
                                         context->info().version, render::name(stage)),
-                            scene.isolation,
+                            scene.surface.isolation,
                             measuring.frames,
                             measuring.width,
                             measuring.height,

@@ -50,8 +50,8 @@ public:
 
     std::string told(const Measurement& of, const scene::Scene& scene) const {
         return fmt::format("{}: {:.1f} ppm wrong, {:.2f} ms a frame of {}x{}",
-                           accuracy::name(of.setting, scene.isolation), of.errors.wrong_ppm(),
-                           of.ms, side(scene, scene.output.width),
+                           accuracy::name(of.setting, scene.surface.isolation),
+                           of.errors.wrong_ppm(), of.ms, side(scene, scene.output.width),
                            side(scene, scene.output.height));
     }
 
@@ -72,13 +72,13 @@ std::optional<scene::Isolation> choose_setting(const Measuring& measuring,
                                                const scene::Scene& scene,
                                                const SettingChoice& choice, double max_wrong) {
     std::vector<scene::Method> methods;
-    if (choice.keeps_method) methods.push_back(scene.isolation.method);
+    if (choice.keeps_method) methods.push_back(scene.surface.isolation.method);
     const auto measurements = measuring.measure(scene, accuracy::sweep(scene, methods, {}));
     const auto found = accuracy::cheapest(measurements, max_wrong);
     if (!found) return std::nullopt;
     const Measurement& best = measurements[*found];
     if (!choice.quiet) {
-        const Setting usual = own_setting(scene.isolation);
+        const Setting usual = own_setting(scene.surface.isolation);
         const auto own = std::ranges::find_if(measurements, [&](const auto& each) {
             const Setting& s = each.setting;
             return s.method == usual.method && s.step == usual.step && s.safety == usual.safety &&
@@ -91,7 +91,7 @@ std::optional<scene::Isolation> choose_setting(const Measuring& measuring,
             print_result("instead of {}\n", measuring.told(*own, scene));
         }
     }
-    return accuracy::apply(best.setting, scene).isolation;
+    return accuracy::apply(best.setting, scene).surface.isolation;
 }
 
 } // namespace
@@ -115,9 +115,10 @@ std::optional<std::vector<scene::Isolation>> choose_settings(gpu::Context& conte
                                         choice.max_wrong / double(names.size()));
         if (!one) return std::nullopt;
         all.push_back(*one);
-        scene::nth_surface(chosen, k).isolation = *one;
+        scene::nth_surface(chosen, k).surface.isolation = *one;
     }
-    const Measurement together = measuring.measure(chosen, {own_setting(chosen.isolation)}).front();
+    const Measurement together =
+        measuring.measure(chosen, {own_setting(chosen.surface.isolation)}).front();
     if (!choice.quiet) {
         print_result("together: {:.1f} ppm wrong, {:.2f} ms\n", together.errors.wrong_ppm(),
                      together.ms);

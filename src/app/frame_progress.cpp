@@ -24,9 +24,9 @@ std::string what_costs(const scene::Scene& scene) {
     int depth = 0;
     bool mirrors = false, certifies = false;
     const auto look_at = [&](const scene::Scene& one) {
-        if (one.material.glass) depth = std::max(depth, one.material.glass->depth);
-        mirrors |= one.material.reflection == scene::Material::Reflection::self;
-        certifies |= one.isolation.certify;
+        if (one.surface.material.glass) depth = std::max(depth, one.surface.material.glass->depth);
+        mirrors |= one.surface.material.reflection == scene::Material::Reflection::self;
+        certifies |= one.surface.isolation.certify;
     };
     scene::for_each_surface(scene, look_at);
     if (depth > 0) costs.push_back(fmt::format("glass {} rays deep (material.glass.depth)", depth));

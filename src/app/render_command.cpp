@@ -39,8 +39,9 @@ std::string beginning(const sequence::Exporter& exporter, const gpu::ContextInfo
     const auto stage = render::choose_stage(exporter.options().stage, driver);
     return fmt::format("{}: {}, {}x{}, {}, step {:g}; {} ({}), {} shaders\n", scene.title,
                        frames_text(exporter.options().frames.size()), scene.output.width,
-                       scene.output.height, scene::name(scene.isolation.method),
-                       scene.isolation.step, driver.renderer, driver.backend, render::name(stage));
+                       scene.output.height, scene::name(scene.surface.isolation.method),
+                       scene.surface.isolation.step, driver.renderer, driver.backend,
+                       render::name(stage));
 }
 
 // `wall`: how long all of it took.
@@ -103,7 +104,7 @@ std::string bounds_beyond(const sequence::Exporter& exporter) {
 std::vector<std::pair<std::string, scene::Sight>> sights_of(const sequence::Exporter& exporter) {
     const scene::Scene& scene = exporter.scene();
     const int frame = exporter.options().frames.front();
-    const scene::SceneAt now = scene::at(scene, scene.timeline.values(frame));
+    const scene::SceneAt now = scene::at_frame(scene, frame);
     if (!scene::has_several_surfaces(scene)) return {{"", scene::sight(scene, now)}};
     std::vector<std::pair<std::string, scene::Sight>> sights;
     for (std::size_t k = 0; k < scene::surface_count(scene); ++k) {

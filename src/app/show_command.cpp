@@ -123,10 +123,11 @@ int write_scene(const ShowArguments& arguments) {
     return exit_done;
 }
 
-// What one surface is at a frame; `now` and `values` are its own.
+// What one surface is at a frame; `now` is its own.
 void print_surface(const scene::Scene& scene, const synthesis::Passes& passes,
-                   const scene::SceneAt& now, const animation::Values& values, int frame) {
-    const scene::Isolation& isolation = scene.isolation;
+                   const scene::SceneAt& now, int frame) {
+    const animation::Values& values = *now.surface.values;
+    const scene::Isolation& isolation = scene.surface.isolation;
     print_result("formula   {}\n", base::printable(scene.surface.field->text));
     print_result("timeline  {} frame{} at {} a second{}\n", scene.timeline.frames,
                  scene.timeline.frames == 1 ? "" : "s", animation::to_string(scene.timeline.fps),
@@ -151,11 +152,11 @@ void print_surface(const scene::Scene& scene, const synthesis::Passes& passes,
                  looks_out ? "; by bounds where the formula isn't smooth" : "");
     print_result("frame     {} at t = {:g} s\n", frame, values.time);
     for (std::size_t k = 0; k < values.tracks.size(); ++k) {
-        print_result("    {:<28} {:g}{}\n", scene.timeline.animation.tracks()[k].name,
+        print_result("    {:<28} {:g}{}\n", scene.surface.animation.tracks()[k].name,
                      values.tracks[k], range_text(scene, k, values.tracks[k]));
     }
     for (std::size_t a = 0; a < values.arrays.size(); ++a) {
-        const auto& array = scene.timeline.animation.arrays()[a];
+        const auto& array = scene.surface.animation.arrays()[a];
         print_result("    {:<28} {} elements{}\n", array.name, values.arrays[a].count,
                      synthesis::array_with_grid(passes) == int(a) ? ", found by place" : "");
         if (array.samples) print_samples(*array.samples, values.time);
@@ -170,7 +171,7 @@ void print_surface(const scene::Scene& scene, const synthesis::Passes& passes,
     }
     print_result("effects   {}\n",
                  called.empty() ? "none" : fmt::format("{}", fmt::join(called, " ")));
-    if (const auto& paint = scene.material.paint; paint && paint->shown) {
+    if (const auto& paint = scene.surface.material.paint; paint && paint->shown) {
         print_result("colormap  {:g} to {:g}, {}\n", paint->shown->least, paint->shown->most,
                      paint->met ? "what the surface shows"
                                 : "as no ray of the pictures looked at meets the surface");
@@ -186,7 +187,7 @@ void print_surface(const scene::Scene& scene, const synthesis::Passes& passes,
     const scene::Sight sight = scene::sight(scene, now);
     if (scene.surface.jumps_are_walls) print_result("jumps     are walls\n");
     if (const auto& found = scene.surface.found_bounds) {
-        const scene::BoundsAt bounds = now.bounds;
+        const scene::BoundsAt bounds = now.surface.bounds;
         print_result("bounds    found: a ball of radius {:g} about ({:g}, {:g}, {:g}), {}\n",
                      bounds.radius, bounds.centre.x, bounds.centre.y, bounds.centre.z,
                      *found ? "which holds the surface at all frames"
@@ -217,11 +218,10 @@ int show(const ShowArguments& arguments) {
     expect_frames_of({&frame, 1}, scene);
     expect_map(scene);
     const bool lists = !arguments.shader && arguments.pass.empty();
-    const animation::Values values = scene.timeline.values(frame);
     // Values that have left their range are an error here too.
     std::optional<scene::SceneAt> now;
     if (lists) {
-        now = scene::at(scene, values);
+        now = scene::at_frame(scene, frame);
         print_result("{}\n", scene.title);
     }
     for (int k = 0; k < int(scene::surface_count(scene)); ++k) {
@@ -241,8 +241,7 @@ int show(const ShowArguments& arguments) {
         } else if (arguments.shader) {
             print_passes(passes);
         } else {
-            print_surface(surface, passes, scene::nth_surface(*now, std::size_t(k)),
-                          surface.timeline.values(frame), frame);
+            print_surface(surface, passes, scene::nth_surface(*now, std::size_t(k)), frame);
         }
     }
     return exit_done;

@@ -155,8 +155,8 @@ Pictures pictures_of(const TopologyArguments& arguments, const topology::Timelin
                 break;
             }
             const double whole = std::floor(frames[k]);
-            const auto values = scene.timeline.values(std::int64_t(whole), frames[k] - whole);
-            const render::Picture picture = renderer.draw(scene::at(scene, values));
+            const render::Picture picture =
+                renderer.draw(scene::at_frame(scene, std::int64_t(whole), frames[k] - whole));
             const auto png = image::encode(picture.frame, image::Format::png8);
             pictures.drawn.push_back({frames[k], "data:image/png;base64," + base::base64(png)});
         }

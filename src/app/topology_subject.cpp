@@ -91,8 +91,8 @@ std::string solid_text(const Subject& subject, const std::array<topology::Side, 
 std::string contact_text(const Subject& subject, const topology::TimelineRecord& record) {
     const scene::Scene& first = subject.first;
     const auto to_world = [&first](double time, const std::array<double, 3>& place) {
-        const scene::SceneAt now = scene::at(first, first.timeline.animation.at(time));
-        const glm::dvec3 at = now.placement.to_world({place[0], place[1], place[2]});
+        const scene::SceneAt now = scene::at(first, time);
+        const glm::dvec3 at = now.surface.placement.to_world({place[0], place[1], place[2]});
         return std::array{at.x, at.y, at.z};
     };
     return topology::contact_text({first.surface.label, subject.second->surface.label, to_world},

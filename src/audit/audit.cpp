@@ -101,7 +101,7 @@ Auditor::Auditor(const scene::Scene& scene)
 namespace {
 
 double operations_of(const scene::Scene& scene) {
-    std::vector<int> counts = scene.timeline.animation.counts();
+    std::vector<int> counts = scene.surface.animation.counts();
     if (const auto by_place = elements::FieldByPlace::of(*scene.surface.field, counts)) {
         int& count = counts[std::size_t(by_place->array())];
         count = std::min(count, usual_list);

@@ -44,7 +44,7 @@ bool add_tracks(const animation::Animation& animation, const Program& program,
 class Fields {
 public:
     Fields(const scene::Scene& scene, std::size_t array)
-        : animation_(scene.timeline.animation)
+        : animation_(scene.surface.animation)
         , array_(array)
         , order_(fields_in_order(scene, array)) {
         for (std::size_t k = 0; k < order_.size(); ++k) {
@@ -117,7 +117,7 @@ std::vector<int> tracks_of(const scene::Scene& scene, const Fields& fields,
     std::vector<int> order;
     for (std::size_t k = 0; k < fields.size(); ++k) {
         if (needed[k] && fields.program(k))
-            add_tracks(scene.timeline.animation, *fields.program(k), order);
+            add_tracks(scene.surface.animation, *fields.program(k), order);
     }
     return order;
 }
@@ -141,7 +141,7 @@ class IntervalElements {
 public:
     IntervalElements(const scene::Scene& scene, const Fields& fields,
                      const std::vector<int>& wanted)
-        : animation_(scene.timeline.animation)
+        : animation_(scene.surface.animation)
         , fields_(fields)
         , needed_(fields.needed_by(wanted))
         , tracks_(tracks_of(scene, fields, needed_)) {
@@ -202,7 +202,7 @@ std::optional<ComputedElements> computed_elements(const scene::Scene& scene, std
                                                   const ValueTable& values,
                                                   std::span<const double> times,
                                                   std::span<const int> counts) {
-    const int elements = scene.timeline.animation.arrays()[array].count;
+    const int elements = scene.surface.animation.arrays()[array].count;
     if (elements == 0 || elements > most_computed) return std::nullopt;
     const Fields fields(scene, array);
     ComputedElements computed;
@@ -241,7 +241,7 @@ std::optional<ComputedElements> computed_elements(const scene::Scene& scene, std
 ValueTable without(const ComputedElements& computed, const scene::Scene& scene, std::size_t array,
                    const ValueTable& values) {
     const Fields fields(scene, array);
-    const int elements = scene.timeline.animation.arrays()[array].count;
+    const int elements = scene.surface.animation.arrays()[array].count;
     ValueTable rest = values;
     for (const int k : computed.fields) {
         for (int i = 0; i < elements; ++i)
@@ -266,7 +266,7 @@ void pack(const ComputedElements& computed, std::vector<std::byte>& into) {
 nlohmann::ordered_json json_of(const ComputedElements& computed, const scene::Scene& scene,
                                std::size_t array) {
     using Json = nlohmann::ordered_json;
-    const animation::Animation& animation = scene.timeline.animation;
+    const animation::Animation& animation = scene.surface.animation;
     const Fields fields(scene, array);
     Json tracks = Json::array();
     for (const int track : tracks_of(scene, fields, fields.needed_by(computed.fields))) {

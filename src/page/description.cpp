@@ -253,7 +253,7 @@ Json steps_of(const formula::CubicSteps& steps) {
 
 // What the block Frame holds beside rays: render/uniform_blocks.cpp.
 Json settings_of(const scene::Scene& scene) {
-    const scene::Isolation& isolation = scene.isolation;
+    const scene::Isolation& isolation = scene.surface.isolation;
     const double scale = scene.surface.field->scale;
     return {{"method", scene::name(isolation.method)},
             {"step", isolation.step},
@@ -281,11 +281,12 @@ std::string accuracy_of(const scene::Scene& scene, const std::filesystem::path& 
     const std::string machine = table.at("machine").text();
     for (const base::DocumentNode& node : table.at("measurements").list()) {
         base::DocumentTable row = node.table();
-        const bool is_own = row.at("method").text() == scene::name(scene.isolation.method) &&
-                            row.at("step").number() == scene.isolation.step &&
-                            row.at("thresholds").number() == 1 &&
-                            row.at("bisections").whole() == scene.isolation.bisections &&
-                            row.at("safety").number() == scene.isolation.safety;
+        const bool is_own =
+            row.at("method").text() == scene::name(scene.surface.isolation.method) &&
+            row.at("step").number() == scene.surface.isolation.step &&
+            row.at("thresholds").number() == 1 &&
+            row.at("bisections").whole() == scene.surface.isolation.bisections &&
+            row.at("safety").number() == scene.surface.isolation.safety;
         if (!is_own) continue;
         return fmt::format("{:.3g} wrong pixels in a million, {:.3g} ms a frame of {} x {} ({})",
                            row.at("wrong_ppm").number(), row.at("ms").number(), width, height,
@@ -362,7 +363,7 @@ std::string description(const WebScene& web, const FrameValues& values,
     all["parallel"] = scene.camera.projection == scene::Camera::Projection::orthographic;
     all["lights"] = scene.lights.size();
     all["viewersLights"] = viewers_lights_of(scene);
-    all["glassDepth"] = scene.material.glass ? scene.material.glass->depth : 0;
+    all["glassDepth"] = scene.surface.material.glass ? scene.surface.material.glass->depth : 0;
     all["sliders"] = sliders_of(web);
     all["markers"] = markers_of(scene, options);
     if (options.report) all["accuracy"] = accuracy_of(scene, *options.report);

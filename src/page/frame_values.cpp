@@ -62,13 +62,13 @@ void add_camera(Row& row, const scene::SceneAt& now) {
 
 // Adds the values that are one surface's own.
 void add_surface(Row& row, const scene::SceneAt& now, double element_radius) {
-    row.add("translate", now.placement.translate);
-    row.add("rotate", now.placement.rotate);
-    row.add("scale", now.placement.scale);
-    row.add("min", now.bounds.min);
-    row.add("max", now.bounds.max);
-    row.add("centre", now.bounds.centre);
-    row.add("radius", now.bounds.radius);
+    row.add("translate", now.surface.placement.translate);
+    row.add("rotate", now.surface.placement.rotate);
+    row.add("scale", now.surface.placement.scale);
+    row.add("min", now.surface.bounds.min);
+    row.add("max", now.surface.bounds.max);
+    row.add("centre", now.surface.bounds.centre);
+    row.add("radius", now.surface.bounds.radius);
     row.add("elementRadius", element_radius);
 }
 
@@ -127,7 +127,8 @@ public:
 
     std::optional<elements::ElementGrid> at(const scene::SceneAt& now) const {
         if (!maker_) return std::nullopt;
-        auto grid = maker_->make(now.bindings, scene::region_of_elements(now.bounds), limits_);
+        auto grid = maker_->make(now.surface.bindings,
+                                 scene::region_of_elements(now.surface.bounds), limits_);
         const std::uint32_t most = web_.plan.most_elements_at_a_place;
         if (grid.longest > most || grid.listed.size() > limits_.listed) {
             throw std::length_error(fmt::format(
@@ -141,7 +142,7 @@ public:
     void add(const elements::ElementGrid& grid, const scene::SceneAt& now,
              std::vector<std::byte>& into) const {
         std::vector<std::byte> packed;
-        pack(grid, now.bindings.arrays[std::size_t(grid.array)].count, packed);
+        pack(grid, now.surface.bindings.arrays[std::size_t(grid.array)].count, packed);
         for (int place = 0; place < 4; ++place)
             into.push_back(std::byte(packed.size() >> (8 * place) & 0xff));
         into.insert(into.end(), packed.begin(), packed.end());
@@ -158,7 +159,8 @@ class SurfaceRows {
 public:
     explicit SurfaceRows(const WebSurface& web)
         : web_(web)
-        , by_cubics_(scene::traits(web.scene.isolation.method).steps == scene::Steps::cubics)
+        , by_cubics_(scene::traits(web.scene.surface.isolation.method).steps ==
+                     scene::Steps::cubics)
         , grids_(web) {}
 
     void prepare(SurfaceValues& values) const {
@@ -269,7 +271,7 @@ FrameValues frame_values(const WebScene& web) {
     std::vector<double> times;
     for (int frame = 1; frame <= scene.timeline.frames; ++frame) {
         for (const double part : parts) {
-            add(scene::at(scene, scene.timeline.values(frame, part)));
+            add(scene::at_frame(scene, frame, part));
             times.push_back(scene.timeline.time(frame, part));
         }
         expect_little_data(scene, values, std::size_t(scene.timeline.frames) * parts.size());

@@ -64,7 +64,7 @@ std::string movie_element(std::span<const std::byte> movie) {
 // A page that stays empty would tell nobody why.
 void warn_of_unbounded(const scene::Scene& scene, const PageOptions& options) {
     if (!options.warn) return;
-    const scene::SceneAt first = scene::at(scene, scene.timeline.values(1));
+    const scene::SceneAt first = scene::at_frame(scene, 1);
     for (std::size_t k = 0; k < scene::surface_count(scene); ++k) {
         const auto why =
             scene::why_unbounded(scene::nth_surface(scene, k), scene::nth_surface(first, k));

@@ -96,7 +96,7 @@ Json json_of(const Program& program, int tracks, const std::vector<std::size_t>&
 }
 
 Json fields_of(const scene::Scene& scene, std::size_t array) {
-    const animation::Animation& animation = scene.timeline.animation;
+    const animation::Animation& animation = scene.surface.animation;
     const std::vector<std::size_t> order = fields_in_order(scene, array);
     Json all = Json::array();
     for (const std::size_t field : order) {
@@ -132,7 +132,7 @@ std::set<int> named_by(const Program& program) {
 std::vector<std::size_t> fields_in_order(const scene::Scene& scene, std::size_t array) {
     std::vector<std::size_t> order;
     for (const int field : scene.surface.field->packing[array])
-        add_in_order(scene.timeline.animation, array, std::size_t(field), order);
+        add_in_order(scene.surface.animation, array, std::size_t(field), order);
     return order;
 }
 
@@ -147,7 +147,7 @@ Json program_of_track(const animation::Animation& animation, int track) {
 }
 
 bool can_be_held(const scene::Scene& scene, int track) {
-    const animation::Animation& animation = scene.timeline.animation;
+    const animation::Animation& animation = scene.surface.animation;
     for (std::size_t a = 0; a < animation.arrays().size(); ++a) {
         for (const std::size_t field : fields_in_order(scene, a)) {
             if (!field_depends(animation, a, field, track)) continue;
@@ -162,7 +162,7 @@ bool can_be_held(const scene::Scene& scene, int track) {
 }
 
 Json rules_of(const scene::Scene& scene) {
-    const animation::Animation& animation = scene.timeline.animation;
+    const animation::Animation& animation = scene.surface.animation;
     const auto rule = [&](int key, int track) {
         return Json{key, program_of_track(animation, track)};
     };

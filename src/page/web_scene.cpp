@@ -23,7 +23,7 @@ namespace {
 }
 
 std::string count_of(const scene::Scene& scene, int array) {
-    return scene.timeline.animation.arrays()[std::size_t(array)].name + ".count";
+    return scene.surface.animation.arrays()[std::size_t(array)].name + ".count";
 }
 
 void expect_few_elements(const scene::Scene& scene, const synthesis::Passes& passes) {
@@ -53,7 +53,7 @@ void expect_few_elements(const scene::Scene& scene, const synthesis::Passes& pas
 void expect_known(const scene::Scene& scene) {
     if (!scene::has_several_surfaces(scene)) return;
     scene::for_each_surface(scene, [](const scene::Scene& surface) {
-        if (!surface.material.glass) return;
+        if (!surface.surface.material.glass) return;
         refuse(surface, "material.transmission",
                "a page shows glass of one surface alone; leave it out, or share a movie (isomotion "
                "render --movie)");
@@ -62,7 +62,7 @@ void expect_known(const scene::Scene& scene) {
 
 WebSurface web_surface(scene::Scene scene) {
     WebSurface web;
-    scene.isolation.certify = false;
+    scene.surface.isolation.certify = false;
     web.passes = synthesis::assemble(
         scene, {}, {.platform = synthesis::Platform::webgl, .writes_buffers = false});
     expect_few_elements(scene, web.passes);

@@ -394,7 +394,7 @@ private:
 
     void fit_camera() {
         if (const auto at = scene_now()) {
-            hold_camera(fitted(at->camera, at->bounds, at->placement,
+            hold_camera(fitted(at->camera, at->surface.bounds, at->surface.placement,
                                double(size_.x) / double(std::max(size_.y, 1))));
         }
     }
@@ -497,7 +497,7 @@ private:
         if (const auto at = scene_now()) wish = camera_section(look, at->camera);
         // This section comes before those that may be long.
         export_.show(*scene_, frame(), size_);
-        parameter_section(look, session, session.overridden().timeline.values(frame()));
+        parameter_section(look, session, session.scene().timeline.time(frame()));
         method_section(look, session.scene());
         reading_section(area_.shown(), size_, audited_);
         topology_.show(*scene_, rings_);

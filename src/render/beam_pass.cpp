@@ -86,7 +86,7 @@ BeamPass::BeamPass(const synthesis::Passes& passes, const scene::Scene& scene,
     const int elements = passes.arrays.empty() ? 0 : passes.arrays[0].capacity;
     const auto evaluations = [&](const synthesis::BeamLevel& level) {
         const int most = evaluations_of_a_beam(passes, *scene.surface.field, level.lists);
-        const bool ends_early = computes_ && level.by_models && !scene.isolation.certify;
+        const bool ends_early = computes_ && level.by_models && !scene.surface.isolation.certify;
         return ends_early ? std::min(most, most_pieces_in_compute) : most;
     };
     for (const synthesis::BeamLevel& level : passes.beams) {

@@ -77,8 +77,7 @@ bool ask(Renderer& renderer, const FrameInputs& frame) {
 }
 
 void check_exposure(const scene::Scene& scene, int frame) {
-    for_each_picture(scene, frame, scene.timeline.values(frame),
-                     [](const scene::SceneAt&, const scene::Aim&) {});
+    for_each_picture(scene, frame, [](const scene::SceneAt&, const scene::Aim&) {});
 }
 
 } // namespace isomotion::render

@@ -66,7 +66,7 @@ void add(base::Fingerprint& print, const synthesis::Uniforms& uniforms) {
 
 // Where a surface and a camera are: what velocities are differences of.
 void add_places(base::Fingerprint& print, const scene::SceneAt& at) {
-    const auto& [translate, rotate, scale] = at.placement;
+    const auto& [translate, rotate, scale] = at.surface.placement;
     const scene::CameraAt& camera = at.camera;
     for (const glm::dvec3& v :
          {translate, rotate[0], rotate[1], rotate[2], camera.position, camera.target, camera.up}) {
@@ -79,8 +79,8 @@ void add_places(base::Fingerprint& print, const scene::SceneAt& at) {
 
 elements::ElementGrid grid_of(const elements::GridMaker& maker, const scene::SceneAt& at,
                               const InputLayout& layout) {
-    elements::ElementGrid grid =
-        maker.make(at.bindings, scene::region_of_elements(at.bounds), layout.grid_limits);
+    elements::ElementGrid grid = maker.make(
+        at.surface.bindings, scene::region_of_elements(at.surface.bounds), layout.grid_limits);
     if (grid.longest > layout.most_elements_at_a_place) {
         throw std::length_error(fmt::format(
             "{} elements of an array matter at one place; a shader can sum {}: smaller kernels, "
@@ -92,8 +92,9 @@ elements::ElementGrid grid_of(const elements::GridMaker& maker, const scene::Sce
 
 formula::TapeCells tapes_of(const scene::SceneAt& at, const InputLayout& layout) {
     std::array<formula::Interval, 3> box;
-    for (int k = 0; k < 3; ++k) box[std::size_t(k)] = {at.bounds.min[k], at.bounds.max[k]};
-    return formula::tape_cells(layout.passes.tapes->groups(), at.bindings.parameters, box,
+    for (int k = 0; k < 3; ++k)
+        box[std::size_t(k)] = {at.surface.bounds.min[k], at.surface.bounds.max[k]};
+    return formula::tape_cells(layout.passes.tapes->groups(), at.surface.bindings.parameters, box,
                                layout.tape_limits);
 }
 
@@ -121,11 +122,12 @@ std::shared_ptr<const elements::ElementGrid> grid(const PictureInputs& inputs) {
 ViewInputs view_inputs(const scene::Scene& scene, const scene::SceneAt& now, int width, int height,
                        const scene::Aim& aim, const synthesis::Passes& passes,
                        ElementRadius* element_radius) {
-    const bool by_cubics = scene::traits(scene.isolation.method).steps == scene::Steps::cubics;
+    const bool by_cubics =
+        scene::traits(scene.surface.isolation.method).steps == scene::Steps::cubics;
     double radius = by_cubics && element_radius ? element_radius->least(scene, now)
                                                 : std::numeric_limits<double>::infinity();
     if (passes.tapes && passes.tapes->chooses())
-        radius = std::min(radius, 2 * longest_piece_of_tapes(now.bounds));
+        radius = std::min(radius, 2 * longest_piece_of_tapes(now.surface.bounds));
     ViewInputs view{frame_block(scene, now, width, height, aim, radius), {}};
     for (const synthesis::BeamLevel& level : passes.beams) {
         view.beams.push_back(beam_range(now, width, height, aim, level.block));
@@ -181,9 +183,9 @@ void PictureInputs::add_to(base::Fingerprint& print) const {
 
 std::shared_ptr<const FieldInputs>
 SharedField::at(const scene::Scene& scene, const scene::SceneAt& now, const InputLayout& layout) {
-    if (!of_ || *of_ != now.bindings || bounds_ != now.bounds) {
-        of_ = now.bindings;
-        bounds_ = now.bounds;
+    if (!of_ || *of_ != now.surface.bindings || bounds_ != now.surface.bounds) {
+        of_ = now.surface.bindings;
+        bounds_ = now.surface.bounds;
         made_ = std::make_shared<const FieldInputs>(field_inputs(scene, now, layout));
     }
     return made_;

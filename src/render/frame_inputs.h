@@ -82,8 +82,7 @@ struct PictureInputs {
 std::shared_ptr<const elements::ElementGrid> grid(const PictureInputs& inputs);
 
 struct FrameInputs {
-    animation::Values values;            // of the animation, at the frame's time
-    scene::SceneAt now;                  // the scene with these values
+    scene::SceneAt now;                  // the scene at the frame's time
     std::vector<PictureInputs> pictures; // at least one; the first is at the frame's time
     std::string fingerprint; // of these inputs, the passes, size and channels; equal fingerprints
                              // mean equal pixels

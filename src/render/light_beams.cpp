@@ -10,11 +10,11 @@ namespace {
 // All of the bounds, as the light sees them.
 scene::SceneAt seen_from(const scene::LightAt& light, const scene::SceneAt& now) {
     scene::SceneAt view = now;
-    const double radius = now.bounds.radius * now.placement.scale;
+    const double radius = now.surface.bounds.radius * now.surface.placement.scale;
     scene::CameraAt& camera = view.camera;
     camera = {};
     camera.projection = scene::Camera::Projection::orthographic;
-    camera.target = now.placement.to_world(now.bounds.centre);
+    camera.target = now.surface.placement.to_world(now.surface.bounds.centre);
     camera.position = camera.target + 2 * radius * light.direction;
     camera.up = std::abs(light.direction.z) < 0.9 ? glm::dvec3(0, 0, 1) : glm::dvec3(1, 0, 0);
     camera.height = 2.02 * radius;

@@ -21,7 +21,7 @@ std::vector<glm::vec4> matters_at(const scene::SceneAt& now, const scene::Among&
     std::vector<glm::vec4> matters(2 * std::size_t(among.count), glm::vec4(0));
     for (std::size_t rank = 0; rank < among.matters.size(); ++rank) {
         const int k = among.matters[rank];
-        const scene::GlassAt& glass = scene::nth_surface(now, std::size_t(k)).glass;
+        const scene::GlassAt& glass = scene::nth_surface(now, std::size_t(k)).surface.glass;
         matters[2 * std::size_t(k)] = glm::dvec4(glass.ior, double(rank), 0, 0);
         matters[2 * std::size_t(k) + 1] = glm::dvec4(unit * glass.absorption, 0);
     }

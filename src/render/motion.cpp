@@ -8,7 +8,7 @@ namespace {
 // Where a picture shows a point of the world: pixels to the right and down.
 glm::dvec2 pixel_of(const scene::SceneAt& scene, int width, int height, const glm::dvec3& world) {
     const scene::Rays rays = scene::rays(scene, width, height);
-    const glm::dvec3 from = scene.placement.to_local(world) - (rays.origin - rays.axis);
+    const glm::dvec3 from = scene.surface.placement.to_local(world) - (rays.origin - rays.axis);
     const double depth =
         rays.parallel ? 1 : glm::dot(from, rays.axis) / glm::dot(rays.axis, rays.axis);
     const glm::dvec3 across = from / depth - rays.axis;
@@ -28,8 +28,7 @@ Motion motion_about(const scene::Scene& scene, int frame) {
         before = std::max(before, timeline.time(1));
         if (timeline.frames > 1) after = std::min(after, timeline.time(timeline.frames));
     }
-    return {scene::at(scene, timeline.animation.at(before)),
-            scene::at(scene, timeline.animation.at(after)), after - before};
+    return {scene::at(scene, before), scene::at(scene, after), after - before};
 }
 
 std::array<glm::vec4, 3> change_of_place(const scene::PlacementAt& from,
@@ -61,9 +60,11 @@ glm::dvec3 velocity(const Motion& motion, const scene::SceneAt& now, int width, 
     const glm::dvec3 gradient = 0.5 * (glm::dvec3(before) + glm::dvec3(after));
     const double slope = glm::length(gradient);
     if (!(slope > 0) || !(motion.seconds > 0)) return {0, 0, 0};
-    const double speed = -(after.w - before.w) / motion.seconds / slope * now.placement.scale;
-    const glm::dvec3 way = 0.5 * motion.seconds * speed / slope * (now.placement.rotate * gradient);
-    const glm::dvec3 world = now.placement.to_world(position);
+    const double speed =
+        -(after.w - before.w) / motion.seconds / slope * now.surface.placement.scale;
+    const glm::dvec3 way =
+        0.5 * motion.seconds * speed / slope * (now.surface.placement.rotate * gradient);
+    const glm::dvec3 world = now.surface.placement.to_world(position);
     const glm::dvec2 step = pixel_of(motion.after, width, height, world + way) -
                             pixel_of(motion.before, width, height, world - way);
     return {speed, step / motion.seconds};

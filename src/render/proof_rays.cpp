@@ -30,7 +30,8 @@ ProofRays proof_rays(const scene::Scene& scene, const scene::SceneAt& now, int w
     found.coarse_beam = beam_range(now, width, height, aim, synthesis::coarse_proved_block);
     // The ends of a ray's part are off by what its beam's pieces are.
     const double margin = found.beam.w, rounding = margin / beam_roundings;
-    const scene::RayRounding of_rays = scene::ray_rounding(rays, now.bounds, scene::Norm::length);
+    const scene::RayRounding of_rays =
+        scene::ray_rounding(rays, now.surface.bounds, scene::Norm::length);
     found.in_range = of_rays.holds;
     const double direction = of_rays.direction;
     const auto shortest = float(std::max(margin, footprint / 256));
@@ -44,7 +45,7 @@ ProofRays proof_rays(const scene::Scene& scene, const scene::SceneAt& now, int w
 
     found.frame = frame_block(scene, now, width, height, aim);
     const auto more = float(margin);
-    if (now.bounds.shape == scene::Bounds::Shape::sphere) {
+    if (now.surface.bounds.shape == scene::Bounds::Shape::sphere) {
         found.frame.bounds_min.w += more;
     } else {
         found.frame.bounds_min -= more;

@@ -18,9 +18,9 @@ double rounding_of_way(const scene::SceneAt& own, const scene::SceneAt& first, i
     const auto longest = [&](const scene::SceneAt& surface) {
         const scene::Rays rays = scene::rays(surface, width, height, aim);
         return glm::length(rays.axis) + glm::length(rays.right) + glm::length(rays.up) +
-               2 * surface.bounds.radius;
+               2 * surface.surface.bounds.radius;
     };
-    const double unit = first.placement.scale / own.placement.scale;
+    const double unit = first.surface.placement.scale / own.surface.placement.scale;
     return 0x1p-19 * (longest(own) + unit * longest(first));
 }
 
@@ -38,7 +38,7 @@ void see_others(PictureInputs& inputs, const scene::SceneAt& now, const scene::A
     double root = 0, most = 0;
     std::vector<double> roundings;
     for (std::size_t k = 0; k < count; ++k) {
-        const double scale = surface(k).placement.scale;
+        const double scale = surface(k).surface.placement.scale;
         // The first one's t stays to the bit.
         roundings.push_back(
             k == 0 ? 0 : rounding_of_way(surface(k), now, inputs.width, inputs.height, aim));
@@ -47,7 +47,7 @@ void see_others(PictureInputs& inputs, const scene::SceneAt& now, const scene::A
     }
     for (std::size_t k = 0; k < count; ++k) {
         ProofRays& own = rays(k);
-        const double behind = (root + 2 * most) / surface(k).placement.scale;
+        const double behind = (root + 2 * most) / surface(k).surface.placement.scale;
         own.beyond = float(1.0001 * (behind + 4 * double(own.of_floats.tube.z)));
         for (RayThickness* thickness : {&own.of_floats, &own.of_doubles})
             thickness->tube.w = std::max(thickness->tube.w - float(1.0001 * roundings[k]), 0.0f);

@@ -384,7 +384,7 @@ struct Renderer::Parts {
         surface.table.bind_numbered("state_texture", rays);
         const auto field_at = [&](const FieldInputs& then, const scene::SceneAt& there) {
             surface.field->upload(surface.table, then);
-            return moved->field_there(surface.table, tile, motion.now.placement, there);
+            return moved->field_there(surface.table, tile, motion.now.surface.placement, there);
         };
         const std::vector<float> before = field_at(motion.before, motion.motion.before);
         const std::vector<float> after = field_at(motion.after, motion.motion.after);
@@ -566,13 +566,13 @@ void Renderer::resize(int width, int height) {
 }
 
 void Renderer::adjust(const scene::Isolation& settings) {
-    scene::Isolation& current = parts_->own.scene.isolation;
+    scene::Isolation& current = parts_->own.scene.surface.isolation;
     if (settings.method != current.method || settings.beam != current.beam ||
         settings.certify != current.certify) {
         throw std::invalid_argument("other shaders are another renderer's");
     }
     for (std::size_t k = 1; k < parts_->surfaces.size(); ++k) {
-        scene::Isolation& other = parts_->surfaces[k]->scene.isolation;
+        scene::Isolation& other = parts_->surfaces[k]->scene.surface.isolation;
         other = scene::changed_alike(other, current, settings);
     }
     current = settings;
@@ -596,11 +596,10 @@ PictureInputs Renderer::prepare(const scene::SceneAt& now, const scene::Aim& aim
 
 FrameInputs Renderer::prepare(const scene::Scene& scene, int frame) const {
     FrameInputs inputs;
-    inputs.values = scene.timeline.values(frame);
     std::optional<Motion> motion;
     if (needs_motion()) motion = motion_about(scene, frame);
     std::vector<SharedField> fields;
-    for_each_picture(scene, frame, inputs.values, [&](const auto& now, const scene::Aim& aim) {
+    for_each_picture(scene, frame, [&](const auto& now, const scene::Aim& aim) {
         const bool is_first = inputs.pictures.empty();
         if (is_first) inputs.now = now;
         inputs.pictures.push_back(

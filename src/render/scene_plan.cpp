@@ -44,7 +44,7 @@ double loops_of(const scene::Scene& scene, const synthesis::Passes& passes, Fiel
 // and the surface seen in it does both again.
 int colours_of_a_pixel(const scene::Scene& scene) {
     using Reflection = scene::Material::Reflection;
-    switch (scene.material.reflection) {
+    switch (scene.surface.material.reflection) {
     case Reflection::none:
         break;
     case Reflection::sky:
@@ -67,7 +67,7 @@ double shade_iterations(const scene::Scene& scene, const synthesis::Passes& pass
     };
     const int colours = colours_of_a_pixel(scene);
     double sum = gradient;
-    if (const auto& contours = scene.material.contours)
+    if (const auto& contours = scene.surface.material.contours)
         sum += colours * loops_of_paint(*contours->value);
     const formula::Paint* paint = synthesis::painting(scene);
     if (!paint) return sum;

@@ -19,7 +19,7 @@ SecondaryRays::SecondaryRays(const synthesis::Passes& passes, const scene::Scene
                          std::nullopt};
         if (shadow_) mirror_->shadows.emplace(passes, tile);
     }
-    if (passes.has(Role::glass)) glass_.emplace(passes, tile, scene.material.glass->depth);
+    if (passes.has(Role::glass)) glass_.emplace(passes, tile, scene.surface.material.glass->depth);
     if (passes.has(Role::glass_ground)) shadow_through_glass_.emplace(passes, tile);
 }
 

@@ -31,7 +31,7 @@ synthesis::Uniforms uniforms_among(const scene::SceneAt& now, const scene::Among
     // Differences in double: the planes may be near each other and far from the eye.
     const double own_depth = depth_of(scene::rays(own, width, height, aim));
     const double first_depth = depth_of(scene::rays(now, width, height, aim));
-    const double unit = own.placement.scale / now.placement.scale;
+    const double unit = own.surface.placement.scale / now.surface.placement.scale;
     const glm::dvec4 way(unit, (unit * own_depth - first_depth) / own_depth, 0, 0);
 
     std::vector<glm::vec4> moves;
@@ -40,13 +40,14 @@ synthesis::Uniforms uniforms_among(const scene::SceneAt& now, const scene::Among
         const auto rows =
             k == index
                 ? std::array{glm::vec4(1, 0, 0, 0), glm::vec4(0, 1, 0, 0), glm::vec4(0, 0, 1, 0)}
-                : change_of_place(scene::nth_surface(now, std::size_t(k)).placement, own.placement);
+                : change_of_place(scene::nth_surface(now, std::size_t(k)).surface.placement,
+                                  own.surface.placement);
         moves.insert(moves.end(), rows.begin(), rows.end());
     }
     synthesis::Uniforms uniforms{{"surface_way", glm::vec4(way)}, {"surface_moves", moves}};
     if (among.matters.empty()) return uniforms;
     uniforms.push_back({"path_moves", std::move(moves)});
-    uniforms.push_back({"matters", matters_at(now, among, own.placement.scale)});
+    uniforms.push_back({"matters", matters_at(now, among, own.surface.placement.scale)});
     return uniforms;
 }
 

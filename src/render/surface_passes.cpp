@@ -33,7 +33,7 @@ DrawLimits limits_of_a_draw(const gpu::ContextInfo& info, const scene::Scene& sc
                             const synthesis::Passes& passes) {
     constexpr int most_in_any_list = 500;
     const bool keeps_tiles =
-        scene.isolation.certify ||
+        scene.surface.isolation.certify ||
         (synthesis::has_lists(passes) && passes.arrays[0].capacity > most_in_any_list);
     return {.operations = operations_per_draw_at(arithmetic_speed(info).in(passes.stage)),
             .threads = keeps_tiles ? 1 : std::max(1, info.threads)};
@@ -44,7 +44,7 @@ DrawLimits limits_of_a_draw(const gpu::ContextInfo& info, const scene::Scene& sc
 bool spreads_small_pictures(const gpu::ContextInfo& info, const scene::Scene& scene,
                             const synthesis::Passes& passes) {
     return info.software && info.max_texture_size >= side_for_small_pictures &&
-           passes.stage == synthesis::Stage::fragment && !scene.isolation.certify &&
+           passes.stage == synthesis::Stage::fragment && !scene.surface.isolation.certify &&
            !passes.has(synthesis::Role::motion) &&
            std::ranges::all_of(passes.beams, [](const synthesis::BeamLevel& level) {
                return level.block == Blocks::side;

@@ -23,30 +23,30 @@ float not_below(double x) {
 FrameBlock frame_block(const scene::Scene& scene, const scene::SceneAt& now, int width, int height,
                        const scene::Aim& aim, double element_radius) {
     const scene::Rays rays = scene::rays(now, width, height, aim);
-    const scene::Isolation& isolation = scene.isolation;
-    const bool box = now.bounds.shape == scene::Bounds::Shape::box;
+    const scene::Isolation& isolation = scene.surface.isolation;
+    const bool box = now.surface.bounds.shape == scene::Bounds::Shape::box;
     // The bounds are closed: a root that lies on their very face is one, however its ray is
     // rounded. What is beyond by less than rounding is nobody's to tell.
-    const double face =
-        scene::ray_rounding(rays, now.bounds, scene::Norm::length).at_depth(now.bounds.radius);
+    const double face = scene::ray_rounding(rays, now.surface.bounds, scene::Norm::length)
+                            .at_depth(now.surface.bounds.radius);
     FrameBlock block;
     block.ray_origin = wide(rays.origin);
     block.ray_axis = wide(rays.axis, rays.parallel ? 0 : 1);
     block.ray_right = wide(rays.right);
     block.ray_up = wide(rays.up);
-    block.bounds_min =
-        box ? wide(now.bounds.min - face) : wide(now.bounds.centre, now.bounds.radius + face);
-    block.bounds_max = wide(now.bounds.max + face);
+    block.bounds_min = box ? wide(now.surface.bounds.min - face)
+                           : wide(now.surface.bounds.centre, now.surface.bounds.radius + face);
+    block.bounds_max = wide(now.surface.bounds.max + face);
     block.picture = glm::vec4(2.0 / width, 2.0 / height, 0, 0);
     const double scale = scene.surface.field->scale; // of values
     block.thresholds = glm::dvec4(isolation.step, scale * isolation.near, scale * isolation.far,
                                   scale * isolation.horizon);
-    const double eighth = 0.125 * now.bounds.radius;
-    const formula::CubicSteps& steps = now.cubic_steps;
+    const double eighth = 0.125 * now.surface.bounds.radius;
+    const formula::CubicSteps& steps = now.surface.cubic_steps;
     if (scene::traits(isolation.method).steps == scene::Steps::cubics)
         block.thresholds = glm::dvec4(steps.first * eighth, 0, 0, 0);
     const double footprint = 2 * glm::length(rays.up) / height;
-    const double spacing = 0x1p-21 * now.bounds.radius; // some roundings of t
+    const double spacing = 0x1p-21 * now.surface.bounds.radius; // some roundings of t
     // The finest step is where a root that F only touches is taken for one. An eighth of the radius
     // is the first piece of methods that bound F. Bounds shrink with the piece: those need finer
     // ones.
@@ -67,14 +67,14 @@ glm::vec4 beam_range(const scene::SceneAt& now, int width, int height, const sce
     const scene::Rays rays = scene::rays(now, width, height, aim);
     const glm::dvec3 forward = glm::normalize(glm::cross(rays.up, rays.right));
     const double depth = glm::dot(rays.axis, forward);
-    const double middle = glm::dot(now.bounds.centre - rays.origin, forward) / depth;
-    const double half = 1.001 * now.bounds.radius / depth;
+    const double middle = glm::dot(now.surface.bounds.centre - rays.origin, forward) / depth;
+    const double half = 1.001 * now.surface.bounds.radius / depth;
     // Rays are in the bounds within `half` of the middle. Proofs of blocks begin at most as far
     // again before (shaders/proof/block_by_models.frag). Places of models that lean farther have
     // their own rounding (shaders/models/piece_of_block.glsl).
     const double reach = (std::abs(middle) + 2 * half) * depth;
     const double rounding =
-        scene::ray_rounding(rays, now.bounds, scene::Norm::length).at_depth(reach);
+        scene::ray_rounding(rays, now.surface.bounds, scene::Norm::length).at_depth(reach);
     const double pixel = 2 * glm::length(rays.up) / height;
     // Rays begin at the eye, at -1; a light's eye is outside of the bounds.
     return glm::dvec4(std::max(middle - half, -1.0), middle + half, 0.5 * block * pixel / depth,
@@ -83,10 +83,10 @@ glm::vec4 beam_range(const scene::SceneAt& now, int width, int height, const sce
 
 std::vector<glm::vec4> shading_block(const scene::Scene& scene, const scene::SceneAt& now,
                                      int width, int height) {
-    const scene::PlacementAt& place = now.placement;
+    const scene::PlacementAt& place = now.surface.placement;
     const auto& background = scene.output.background;
     std::vector<glm::vec4> block;
-    block.push_back(wide(now.material_color));
+    block.push_back(wide(now.surface.color));
     block.emplace_back(background[0], background[1], background[2],
                        scene.output.transparent ? 0.0 : 1.0);
     const glm::dmat3 to_local = glm::transpose(place.rotate);
@@ -110,10 +110,10 @@ std::vector<std::byte> parameter_block(const synthesis::Passes& passes, const sc
                                        const elements::ElementGrid* grid) {
     const std::size_t vectors = std::size_t(passes.parameter_vectors);
     std::vector<std::byte> block(std::size_t(passes.vectors()) * 16);
-    const auto values = std::as_bytes(std::span(now.bindings.parameters));
+    const auto values = std::as_bytes(std::span(now.surface.bindings.parameters));
     std::copy(values.begin(), values.end(), block.begin());
     for (std::size_t a = 0; a < passes.arrays.size(); ++a) {
-        const std::int32_t count = now.bindings.arrays[a].count;
+        const std::int32_t count = now.surface.bindings.arrays[a].count;
         std::memcpy(block.data() + vectors * 16 + a * 4, &count, 4);
     }
     if (grid) {
@@ -132,7 +132,7 @@ std::vector<std::byte> parameter_block(const synthesis::Passes& passes, const sc
 std::vector<glm::vec4> array_texels(const scene::Scene& scene, const synthesis::Passes& passes,
                                     const scene::SceneAt& now, std::size_t index) {
     const auto& fields = scene.surface.field->packing[index];
-    const auto& columns = now.bindings.arrays[index];
+    const auto& columns = now.surface.bindings.arrays[index];
     const auto per_element = std::size_t(passes.arrays[index].texels);
     std::vector<glm::vec4> texels(std::size_t(columns.count) * per_element);
     for (std::size_t slot = 0; slot < fields.size(); ++slot) {

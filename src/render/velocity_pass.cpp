@@ -9,7 +9,7 @@ namespace isomotion::render {
 std::vector<float> VelocityPass::field_there(PassTable& table, const gpu::Rectangle& tile,
                                              const scene::PlacementAt& from,
                                              const scene::SceneAt& to) const {
-    const auto rows = change_of_place(from, to.placement);
+    const auto rows = change_of_place(from, to.surface.placement);
     const gpu::Program& program = table.program(synthesis::Role::motion);
     program.set("move_x", rows[0]);
     program.set("move_y", rows[1]);

@@ -32,7 +32,7 @@ std::set<int> extreme_frames(const Scene& scene, const std::set<int>& among) {
     const int count = std::min(scene.surface.parameters, most_extreme);
     std::vector<Extreme> least, largest;
     for (const int frame : among) {
-        const animation::Values values = scene.timeline.values(frame);
+        const animation::Values values = scene.surface.animation.at(scene.timeline.time(frame));
         for (int k = 0; k < count; ++k) {
             const Extreme now{values.tracks[std::size_t(k)], frame};
             if (int(least.size()) == k) {
@@ -50,7 +50,7 @@ std::set<int> extreme_frames(const Scene& scene, const std::set<int>& among) {
 }
 
 std::set<int> telling_frames(const Scene& scene) {
-    const animation::Animation& moves = scene.timeline.animation;
+    const animation::Animation& moves = scene.surface.animation;
     double operations = moves.operations() + 1;
     for (std::size_t a = 0; a < moves.arrays().size(); ++a) operations += moves.operations(a);
     const auto affordable = [&](int most) {
@@ -64,8 +64,8 @@ std::set<int> telling_frames(const Scene& scene) {
 }
 
 formula::Moment moment_of(const SceneAt& now) {
-    const glm::dvec3 &low = now.bounds.min, &high = now.bounds.max;
-    return {formula::convert<double>(now.bindings),
+    const glm::dvec3 &low = now.surface.bounds.min, &high = now.surface.bounds.max;
+    return {formula::convert<double>(now.surface.bindings),
             {formula::Interval{low.x, high.x}, {low.y, high.y}, {low.z, high.z}}};
 }
 
@@ -76,12 +76,13 @@ formula::CubicSteps cubic_steps(const Scene& scene, const SceneAt& first) {
     for (const int frame : telling_frames(scene)) {
         if (frame == 1) continue;
         try {
-            moments.push_back(moment_of(at(scene, scene.timeline.values(frame))));
+            moments.push_back(moment_of(at_frame(scene, frame)));
         } catch (const SceneError&) { // said where the frame is drawn
         }
     }
     return formula::cubic_steps(*scene.surface.field, scene.surface.smoothness, moments,
-                                0.125 * first.bounds.radius, scene.isolation.safety);
+                                0.125 * first.surface.bounds.radius,
+                                scene.surface.isolation.safety);
 }
 
 } // namespace isomotion::scene

@@ -12,7 +12,7 @@ std::vector<std::filesystem::path> files_read(const Scene& scene) {
     if (!scene.surface.name.empty()) files.push_back(surface_file(scene.surface.name));
     if (!scene.look.name.empty()) files.push_back(look_file(scene.look.name));
     if (scene.environment) files.push_back(scene.environment->map);
-    for (const animation::Array& array : scene.timeline.animation.arrays()) {
+    for (const animation::Array& array : scene.surface.animation.arrays()) {
         if (!array.samples) continue;
         for (auto& file : array.samples->source().files()) files.push_back(std::move(file));
     }

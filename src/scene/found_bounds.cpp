@@ -55,7 +55,7 @@ constexpr int parts_of_frame = 4;
 
 // What names stand for at all frames, neighbours together; none if that takes long.
 std::optional<std::vector<Values>> values_of_frames(const Scene& scene) {
-    const animation::Animation& animation = scene.timeline.animation;
+    const animation::Animation& animation = scene.surface.animation;
     double each = 100;
     for (std::size_t a = 0; a < animation.arrays().size(); ++a) each += animation.operations(a);
     const int frames = scene.timeline.frames;
@@ -67,8 +67,8 @@ std::optional<std::vector<Values>> values_of_frames(const Scene& scene) {
         Values now;
         try {
             const double part = double(moment % parts) / parts;
-            const auto values = scene.timeline.values(1 + moment / parts, part);
-            now = formula::convert<Interval>(at(scene, values).bindings);
+            now = formula::convert<Interval>(
+                at_frame(scene, 1 + moment / parts, part).surface.bindings);
         } catch (const SceneError&) { // said where the frame is drawn
             continue;
         }

@@ -24,7 +24,7 @@ SceneAt lit_from(SceneAt now, const glm::dvec2& disc) {
     if (disc == glm::dvec2(0)) return now;
     for (LightAt& light : now.lights) {
         if (light.radius == 0) continue;
-        const glm::dvec3 middle = now.placement.to_world(now.bounds.centre);
+        const glm::dvec3 middle = now.surface.placement.to_world(now.surface.bounds.centre);
         const glm::dvec3 way = light.is_point ? light.direction - middle : light.direction;
         const double length = glm::length(way);
         if (length == 0) continue; // in the middle of the bounds it faces nothing

@@ -16,7 +16,7 @@ constexpr int fewest_to_find = 200; // elements, so that finding them pays
 } // namespace
 
 ElementFinder::ElementFinder(const Scene& scene) {
-    const auto& arrays = scene.timeline.animation.arrays();
+    const auto& arrays = scene.surface.animation.arrays();
     if (arrays.empty()) return;
     const auto most = std::ranges::max_element(arrays, {}, &animation::Array::count);
     if (most->count < fewest_to_find) return;
@@ -28,12 +28,13 @@ std::optional<int> ElementFinder::array() const {
 }
 
 NearElements::NearElements(const ElementFinder& finder, const SceneAt& now)
-    : all_(formula::convert<double>(now.bindings)) {
+    : all_(formula::convert<double>(now.surface.bindings)) {
     if (!finder.maker_) return;
     array_ = std::size_t(finder.maker_->array());
     elements::GridLimits limits;
     limits.threads = std::max(1, int(std::thread::hardware_concurrency())); // decides nothing
-    grid_ = finder.maker_->make(now.bindings, {now.bounds.min, now.bounds.max}, limits);
+    grid_ = finder.maker_->make(now.surface.bindings,
+                                {now.surface.bounds.min, now.surface.bounds.max}, limits);
     near_ = all_;
 }
 

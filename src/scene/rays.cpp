@@ -6,7 +6,7 @@
 namespace isomotion::scene {
 
 Rays rays(const SceneAt& scene, int width, int height) {
-    const PlacementAt& place = scene.placement;
+    const PlacementAt& place = scene.surface.placement;
     const glm::dmat3 to_local = glm::transpose(place.rotate);
     const glm::dvec3 eye = place.to_local(scene.camera.position);
     const glm::dvec3 forward =
@@ -20,8 +20,8 @@ Rays rays(const SceneAt& scene, int width, int height) {
     up = glm::cross(right, forward);
 
     // Bounds beside or behind the eye: any plane before the eye will do.
-    const double depth =
-        std::max(glm::dot(scene.bounds.centre - eye, forward), 0.5 * scene.bounds.radius);
+    const double depth = std::max(glm::dot(scene.surface.bounds.centre - eye, forward),
+                                  0.5 * scene.surface.bounds.radius);
     Rays rays;
     rays.parallel = scene.camera.projection == Camera::Projection::orthographic;
     const double shown = rays.parallel ? 0.5 * scene.camera.height / place.scale
@@ -45,7 +45,7 @@ Rays rays(const SceneAt& scene, int width, int height, const Aim& aim) {
         if (!still.parallel) moved.axis += across;
     }
     if (aim.lens != glm::dvec2(0)) {
-        const double scale = scene.placement.scale;
+        const double scale = scene.surface.placement.scale;
         const glm::dvec3 place =
             0.5 * scene.camera.aperture / scale *
             (aim.lens.x * glm::normalize(still.right) + aim.lens.y * glm::normalize(still.up));

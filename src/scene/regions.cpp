@@ -14,8 +14,8 @@ constexpr int most_frames = 17;
 constexpr double dear_frame = 3e6, dear_point = 1000;
 
 Region region_of(const SceneAt& now) {
-    const glm::dvec3 &low = now.bounds.min, &high = now.bounds.max;
-    return {formula::convert<Interval>(now.bindings),
+    const glm::dvec3 &low = now.surface.bounds.min, &high = now.surface.bounds.max;
+    return {formula::convert<Interval>(now.surface.bindings),
             {Interval{low.x, high.x}, Interval{low.y, high.y}, Interval{low.z, high.z}}};
 }
 
@@ -31,9 +31,9 @@ void cover(Region& region, const Region& other) {
 
 int frames_to_look_at(const Scene& scene, const SceneAt& first) {
     double operations = 0;
-    for (std::size_t a = 0; a < scene.timeline.animation.arrays().size(); ++a)
-        operations += scene.timeline.animation.operations(a);
-    const std::vector<int> counts = first.bindings.counts();
+    for (std::size_t a = 0; a < scene.surface.animation.arrays().size(); ++a)
+        operations += scene.surface.animation.operations(a);
+    const std::vector<int> counts = first.surface.bindings.counts();
     operations += dear_point * formula::cost(scene.surface.field->value, counts).operations;
     const double most = dear_frame / (operations + 1);
     return std::clamp(int(std::min(most, double(most_frames))), 1, scene.timeline.frames);
@@ -48,7 +48,7 @@ std::vector<Region> regions(const Scene& scene, const SceneAt& first) {
         const int frame =
             1 + int(std::int64_t(scene.timeline.frames - 1) * k / std::max(1, count - 1));
         try {
-            at_frames.push_back(region_of(at(scene, scene.timeline.values(frame))));
+            at_frames.push_back(region_of(at_frame(scene, frame)));
         } catch (const SceneError&) { // said where the frame is drawn
         }
     }

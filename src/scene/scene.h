@@ -13,6 +13,7 @@
 #include <string_view>
 #include <vector>
 
+#include "animation/animation.h"
 #include "animation/timeline.h"
 #include "base/confines.h"
 #include "formula/cubic_steps.h"
@@ -49,24 +50,6 @@ struct Range {
     double most = std::numeric_limits<double>::infinity();
 
     bool contains(double value) const { return least <= value && value <= most; }
-};
-
-struct Surface {
-    std::string name;  // of the catalogue, or empty
-    std::string label; // its name among several surfaces of a scene, see surfaces.h
-    // Shared, since evaluators and shaders refer to its programs as long as they live.
-    std::shared_ptr<const formula::Field> field;
-    int parameters = 0;        // the first tracks of the animation are the formula's parameters
-    std::vector<Range> ranges; // ranges of the parameters that a scene can name
-    formula::Smoothness smoothness;  // within the bounds, over all frames
-    formula::CubicSteps cubic_steps; // of an eighth of the bounds' radius
-    // Of the array with the most, if known: see elements_at_a_place.h.
-    std::optional<double> elements_at_a_place;
-    bool jumps_are_walls = false; // jumps of F across 0 count as surface, too
-    Bounds bounds;
-    // For bounds that no file gives: whether they enclose the surface.
-    std::optional<bool> found_bounds;
-    Placement placement;
 };
 
 // The method's settings; lengths in formula coordinates, thresholds in units of F.
@@ -268,6 +251,30 @@ struct NamedLook {
     std::vector<std::string> keys = {}; // keys that it set: "lights", "material.model"
 };
 
+// One surface of a scene: a formula, where it is, what it is made of and how its roots are found.
+struct Surface {
+    std::string name;  // of the catalogue, or empty
+    std::string label; // its name among several surfaces of a scene, see surfaces.h
+    // Shared, since evaluators and shaders refer to its programs as long as they live.
+    std::shared_ptr<const formula::Field> field;
+    // How the values of the formula's names move, and of all settings that are tracks.
+    animation::Animation animation;
+    int parameters = 0;        // the first tracks of the animation are the formula's parameters
+    std::vector<Range> ranges; // ranges of the parameters that a scene can name
+    formula::Smoothness smoothness;  // within the bounds, over all frames
+    formula::CubicSteps cubic_steps; // of an eighth of the bounds' radius
+    // Of the array with the most, if known: see elements_at_a_place.h.
+    std::optional<double> elements_at_a_place;
+    bool jumps_are_walls = false; // jumps of F across 0 count as surface, too
+    Bounds bounds;
+    // For bounds that no file gives: whether they enclose the surface.
+    std::optional<bool> found_bounds;
+    Placement placement;
+    Isolation isolation;
+    Material material;
+    std::shared_ptr<const ValuePlaces> value_places; // where the file states its values
+};
+
 // Which surface, of how many in one scene.
 struct Among {
     int index = 0, count = 1;
@@ -284,10 +291,8 @@ struct Scene {
     std::string title;
     animation::Timeline timeline;
     Surface surface;
-    Isolation isolation;
     Camera camera;
     std::vector<Light> lights; // at least one
-    Material material;
     std::vector<Cut> sections;
     std::optional<Ground> ground;
     std::optional<Fog> fog;
@@ -300,7 +305,6 @@ struct Scene {
     // each with its own animation. Shared settings are the first one's: see surfaces.h.
     std::vector<Scene> others;
     Among among;
-    std::shared_ptr<const ValuePlaces> value_places; // where the file states its values
 };
 
 // The argument that loads the scene again from any folder: its formula, or its file's full path.

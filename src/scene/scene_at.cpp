@@ -34,7 +34,8 @@ struct Ball {
 };
 
 Ball ball_about(const SceneAt& now) {
-    return {now.placement.to_world(now.bounds.centre), now.bounds.radius * now.placement.scale};
+    return {now.surface.placement.to_world(now.surface.bounds.centre),
+            now.surface.bounds.radius * now.surface.placement.scale};
 }
 
 // A ball about the bounds of all surfaces.
@@ -83,20 +84,21 @@ public:
     }
     // "ring.toml:9: camera.fov", or without the line if the file states no such value.
     std::string where(const std::string& name) const {
-        const StatedAt at = stated_at(scene_.value_places.get(), scene_.file.string(), name);
+        const StatedAt at =
+            stated_at(scene_.surface.value_places.get(), scene_.file.string(), name);
         return fmt::format("{}: {}", at.position, at.key);
     }
     const std::string& name(TrackId track) const {
-        return scene_.timeline.animation.tracks()[std::size_t(track)].name;
+        return scene_.surface.animation.tracks()[std::size_t(track)].name;
     }
 
     // A NaN would end in an empty picture, or in the blame of something else.
     void check_range() const {
-        const auto& tracks = scene_.timeline.animation.tracks();
+        const auto& tracks = scene_.surface.animation.tracks();
         for (std::size_t k = 0; k < values_.tracks.size(); ++k) {
             check(values_.tracks[k], [&] { return tracks[k].name; });
         }
-        const auto& arrays = scene_.timeline.animation.arrays();
+        const auto& arrays = scene_.surface.animation.arrays();
         for (std::size_t a = 0; a < values_.arrays.size(); ++a) {
             const auto& fields = values_.arrays[a].fields;
             for (std::size_t f = 0; f < fields.size(); ++f) {
@@ -241,7 +243,7 @@ public:
 
     // The numbers of the material's model, in the order of the `gloss` of its shader.
     glm::dvec4 gloss() const {
-        const Material& from = scene_.material;
+        const Material& from = scene_.surface.material;
         switch (from.model) {
         case Material::Model::lambert:
             break;
@@ -415,37 +417,38 @@ private:
 } // namespace
 
 SceneAt in_formula_coordinates(SceneAt scene) {
-    const PlacementAt first = scene.placement;
-    const glm::dmat3 to_local = glm::transpose(scene.placement.rotate);
-    scene.camera.position = scene.placement.to_local(scene.camera.position);
-    scene.camera.target = scene.placement.to_local(scene.camera.target);
+    const PlacementAt first = scene.surface.placement;
+    const glm::dmat3 to_local = glm::transpose(scene.surface.placement.rotate);
+    scene.camera.position = scene.surface.placement.to_local(scene.camera.position);
+    scene.camera.target = scene.surface.placement.to_local(scene.camera.target);
     scene.camera.up = to_local * scene.camera.up;
     for (double* length : {&scene.camera.height, &scene.camera.aperture, &scene.camera.focus}) {
-        *length /= scene.placement.scale;
+        *length /= scene.surface.placement.scale;
     }
     for (LightAt& light : scene.lights) {
-        light.direction =
-            light.is_point ? scene.placement.to_local(light.direction) : to_local * light.direction;
-        light.falloff /= scene.placement.scale;
-        if (light.is_point) light.radius /= scene.placement.scale;
+        light.direction = light.is_point ? scene.surface.placement.to_local(light.direction)
+                                         : to_local * light.direction;
+        light.falloff /= scene.surface.placement.scale;
+        if (light.is_point) light.radius /= scene.surface.placement.scale;
     }
     for (SectionAt& section : scene.sections)
-        section = in_formula_coordinates(section, scene.placement);
-    scene.glass.absorption *= scene.placement.scale;
-    scene.fog.density *= scene.placement.scale;
-    scene.fog.start /= scene.placement.scale;
-    scene.occlusion.reach /= scene.placement.scale;
+        section = in_formula_coordinates(section, scene.surface.placement);
+    scene.surface.glass.absorption *= scene.surface.placement.scale;
+    scene.fog.density *= scene.surface.placement.scale;
+    scene.fog.start /= scene.surface.placement.scale;
+    scene.occlusion.reach /= scene.surface.placement.scale;
     if (scene.environment) {
         for (auto axis : {&EnvironmentAt::ahead, &EnvironmentAt::left, &EnvironmentAt::top}) {
             (*scene.environment).*axis = to_local * (*scene.environment).*axis;
         }
     }
-    scene.placement = {};
+    scene.surface.placement = {};
     for (SceneAt& other : scene.others) {
-        other.placement.translate = first.to_local(other.placement.translate);
-        other.placement.rotate = to_local * other.placement.rotate;
-        other.placement.scale /= first.scale;
-        other.glass.absorption *= first.scale; // per unit of the first one's formula from now on
+        other.surface.placement.translate = first.to_local(other.surface.placement.translate);
+        other.surface.placement.rotate = to_local * other.surface.placement.rotate;
+        other.surface.placement.scale /= first.scale;
+        other.surface.glass.absorption *=
+            first.scale; // per unit of the first one's formula from now on
         share(scene, other);
     }
     return scene;
@@ -455,37 +458,44 @@ void share(const SceneAt& from, SceneAt& to) { share_surroundings(from, to); }
 
 namespace {
 
-// The surface, where it is and what it is of.
-SceneAt matter_at(const Scene& scene, const Reader& read, const animation::Values& values) {
-    SceneAt now;
-    now.time = values.time;
-    const auto parameters = std::ptrdiff_t(scene.surface.parameters);
+SurfaceAt surface_at(const Surface& surface, const Reader& read,
+                     std::shared_ptr<const animation::Values> values) {
+    SurfaceAt now;
+    const auto parameters = std::ptrdiff_t(surface.parameters);
     formula::Bindings<double> bindings;
-    bindings.parameters.assign(values.tracks.begin(), values.tracks.begin() + parameters);
-    bindings.arrays = values.arrays;
+    bindings.parameters.assign(values->tracks.begin(), values->tracks.begin() + parameters);
+    bindings.arrays = values->arrays;
+    now.values = std::move(values);
     read.check_range();
     now.bindings = formula::convert<float>(bindings);
     now.bounds = read.bounds();
-    now.cubic_steps = scene.surface.cubic_steps;
+    now.cubic_steps = surface.cubic_steps;
     now.placement = read.placement();
-    now.material_color = read.color(scene.material.color);
-    if (scene.material.paint) now.paint_range = read.range(*scene.material.paint);
-    if (scene.material.inside) now.inside_color = read.color(*scene.material.inside);
-    if (scene.material.cap) now.cap_color = read.color(*scene.material.cap);
-    if (scene.material.contours) now.contours = read.contours(*scene.material.contours);
-    if (scene.material.glass) now.glass = read.glass(*scene.material.glass);
+    const Material& material = surface.material;
+    now.color = read.color(material.color);
+    if (material.paint) now.paint_range = read.range(*material.paint);
+    if (material.inside) now.inside_color = read.color(*material.inside);
+    if (material.cap) now.cap_color = read.color(*material.cap);
+    if (material.contours) now.contours = read.contours(*material.contours);
+    if (material.glass) now.glass = read.glass(*material.glass);
     now.gloss = read.gloss();
     return now;
 }
 
 } // namespace
 
-SceneAt at(const Scene& scene, const animation::Values& values) {
-    const Reader read(scene, values);
-    SceneAt now = matter_at(scene, read, values);
+SceneAt at(const Scene& scene, double time) {
+    SceneAt now;
+    now.time = time;
+    const auto values = std::make_shared<const animation::Values>(scene.surface.animation.at(time));
+    const Reader read(scene, *values);
+    now.surface = surface_at(scene.surface, read, values);
     for (const Scene& other : scene.others) {
-        const animation::Values its = other.timeline.animation.at(values.time);
-        now.others.push_back(matter_at(other, Reader(other, its), its));
+        const auto its =
+            std::make_shared<const animation::Values>(other.surface.animation.at(time));
+        SceneAt& at_now = now.others.emplace_back();
+        at_now.time = time;
+        at_now.surface = surface_at(other.surface, Reader(other, *its), its);
     }
     const Ball all = ball_about_all(now);
     now.camera = read.camera(all);
@@ -499,6 +509,14 @@ SceneAt at(const Scene& scene, const animation::Values& values) {
     if (scene.environment) now.environment = read.environment(*scene.environment);
     for (SceneAt& other : now.others) share(now, other);
     return now;
+}
+
+SceneAt at_frame(const Scene& scene, std::int64_t frame) {
+    return at(scene, scene.timeline.time(frame));
+}
+
+SceneAt at_frame(const Scene& scene, std::int64_t frame, double part) {
+    return at(scene, scene.timeline.time(frame, part));
 }
 
 } // namespace isomotion::scene

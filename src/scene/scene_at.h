@@ -1,6 +1,8 @@
 // A scene at one time, as plain numbers.
 #pragma once
 
+#include <cstdint>
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -90,30 +92,36 @@ struct EnvironmentAt {
     double intensity = 1;
 };
 
-struct SceneAt {
-    double time = 0;
+// A surface at one time.
+struct SurfaceAt {
+    std::shared_ptr<const animation::Values> values; // of its animation
     // The values of the formula's names, rounded to float, so that GPU, CPU and truth use the same.
     formula::Bindings<float> bindings;
     BoundsAt bounds;
     formula::CubicSteps cubic_steps; // of an eighth of the bounds' radius
     PlacementAt placement;
+    glm::dvec3 color{1};
+    glm::dvec3 inside_color{1}; // for a surface with two colours
+    glm::dvec3 cap_color{1};    // for a surface whose caps have their own colour
+    ContoursAt contours;        // if the material has them
+    GlassAt glass;              // if the material has it
+    // Blinn-Phong: shininess, specular. GGX: roughness, metallic, specular. Unused entries are 0.
+    glm::dvec4 gloss{0};
+    glm::dvec2 paint_range{0, 1}; // the values at the ends of the colour map
+};
+
+struct SceneAt {
+    double time = 0;
+    SurfaceAt surface;
     CameraAt camera;
     std::vector<LightAt> lights;
-    glm::dvec3 material_color{1};
-    glm::dvec3 inside_color{1};      // for a surface with two colours
-    glm::dvec3 cap_color{1};         // for a surface whose caps have their own colour
     std::vector<SectionAt> sections; // world
-    ContoursAt contours;             // if the material has them
-    GlassAt glass;                   // if the material has it
     GroundAt ground;                 // this and the following: if the scene has them
     FogAt fog;
     AmbientAt ambient;
     OcclusionAt occlusion;
     std::optional<EnvironmentAt> environment;
-    // Blinn-Phong: shininess, specular. GGX: roughness, metallic, specular. Unused entries are 0.
-    glm::dvec4 gloss{0};
-    glm::dvec2 paint_range{0, 1}; // the values at the ends of the colour map
-    std::vector<SceneAt> others;  // states of the scene's other surfaces; shared settings are equal
+    std::vector<SceneAt> others; // states of the scene's other surfaces; shared settings are equal
 };
 
 // Moves the surface to its formula coordinates, and the camera and lights with it. Rays and
@@ -128,6 +136,9 @@ void share(const SceneAt& from, SceneAt& to);
 
 // Throws SceneError if a value is out of its range at this time (a radius of 0, a field of view of
 // 200 degrees, a camera at its own target).
-SceneAt at(const Scene& scene, const animation::Values& values);
+SceneAt at(const Scene& scene, double time);
+SceneAt at_frame(const Scene& scene, std::int64_t frame);
+// `part` of a frame's duration, 0 to 1, after the frame's time.
+SceneAt at_frame(const Scene& scene, std::int64_t frame, double part);
 
 } // namespace isomotion::scene

@@ -82,7 +82,7 @@ public:
         , paint_sums_all_(paint_sums_all) {
         if (paint.hessian) hessian_.emplace(*paint.hessian);
         for (const SectionAt& section : now.sections)
-            sections_.push_back(in_formula_coordinates(section, now.placement));
+            sections_.push_back(in_formula_coordinates(section, now.surface.placement));
     }
 
     // What is met first of what sections leave.
@@ -118,7 +118,8 @@ public:
             hessian_->point(bindings, at, second);
             curved = formula::curvatures(g, second);
         }
-        const glm::dvec3 n = glm::normalize(now_.placement.rotate * glm::dvec3(g[0], g[1], g[2]));
+        const glm::dvec3 n =
+            glm::normalize(now_.surface.placement.rotate * glm::dvec3(g[0], g[1], g[2]));
         const std::array<double, 10> inputs{
             // paint_names
             p.x, p.y, p.z, n.x, n.y, n.z, curved.mean, curved.gaussian, 0, now_.time};
@@ -218,7 +219,7 @@ int rays_across(const Scene& scene, const formula::Paint& paint, const NearEleme
 }
 
 int frames_to_show(const Scene& scene) {
-    const animation::Animation& animation = scene.timeline.animation;
+    const animation::Animation& animation = scene.surface.animation;
     double values = 0, operations = animation.operations();
     for (std::size_t a = 0; a < animation.arrays().size(); ++a) {
         values += animation.values(a);
@@ -301,14 +302,15 @@ private:
 // Widens the range by what a frame shows. Whether a ray met the surface.
 bool look(const Scene& scene, const formula::Paint& paint, bool sums_all,
           const ElementFinder& finder, int frame, int frames, Range& range) {
-    const SceneAt now = at(scene, scene.timeline.values(frame));
+    const SceneAt now = at_frame(scene, frame);
     NearElements elements(finder, now);
     const int longer = rays_across(scene, paint, elements, sums_all, frames);
     const int most = std::max(scene.output.width, scene.output.height);
     const int width = std::max(1, longer * scene.output.width / most);
     const int height = std::max(1, longer * scene.output.height / most);
     MetSurface surface(scene, paint, now, elements, sums_all);
-    Pictured picture(surface, rays(now, scene.output.width, scene.output.height), now.bounds);
+    Pictured picture(surface, rays(now, scene.output.width, scene.output.height),
+                     now.surface.bounds);
     std::array<End, 2> ends{End{-1}, End{1}};
     picture.scan(width, height, ends);
     // A spike goes on and on: what is added stays small beside what many rays show.

@@ -59,8 +59,8 @@ class Enclosing {
 public:
     Enclosing(const formula::Program& value, const SceneAt& now, double evaluations)
         : value_(value)
-        , bindings_(formula::convert<Interval>(now.bindings))
-        , bounds_(now.bounds)
+        , bindings_(formula::convert<Interval>(now.surface.bindings))
+        , bounds_(now.surface.bounds)
         , left_(evaluations) {}
 
     std::optional<Interval> values() {
@@ -104,13 +104,13 @@ private:
 
 Sight sight(const Scene& scene, const SceneAt& now) {
     const formula::Field& field = *scene.surface.field;
-    const std::vector<int> counts = now.bindings.counts();
+    const std::vector<int> counts = now.surface.bindings.counts();
     const double evaluations =
         most_operations / (formula::cost(field.value, counts).operations + 1);
     const int points = int(std::clamp(evaluations, 2.0, 2048.0));
 
     formula::Evaluator<double> evaluate(field.value);
-    const auto bindings = formula::convert<double>(now.bindings);
+    const auto bindings = formula::convert<double>(now.surface.bindings);
     // All together: sums over very many elements take a fraction of the time.
     const auto f_at = [&](const std::vector<glm::dvec3>& places) {
         std::array<std::vector<double>, 3> at;
@@ -147,8 +147,9 @@ Sight sight(const Scene& scene, const SceneAt& now) {
     std::vector<glm::dvec3> inside;
     for (int k = 1; k <= points; ++k) {
         const glm::dvec3 unit(halton(k, 2), halton(k, 3), halton(k, 5));
-        const glm::dvec3 p = now.bounds.min + unit * (now.bounds.max - now.bounds.min);
-        if (is_in(now.bounds, p)) inside.push_back(p);
+        const glm::dvec3 p =
+            now.surface.bounds.min + unit * (now.surface.bounds.max - now.surface.bounds.min);
+        if (is_in(now.surface.bounds, p)) inside.push_back(p);
     }
     int in_solid = 0, left = 0;
     const std::vector<double> values = f_at(inside);
@@ -156,19 +157,19 @@ Sight sight(const Scene& scene, const SceneAt& now) {
         tell(values[k]);
         if (!(values[k] < 0)) continue;
         ++in_solid;
-        left += !is_cut_off(now, now.placement.to_world(inside[k]));
+        left += !is_cut_off(now, now.surface.placement.to_world(inside[k]));
     }
     found.is_cut_away = in_solid > 0 && left == 0;
-    const double below = below_0(now.bounds, tell).value_or(0);
+    const double below = below_0(now.surface.bounds, tell).value_or(0);
     found.changes_sign = found.least < 0 && found.most > 0;
     found.cut = std::min(below, 1 - below);
     bool has_end = found.cut == 0 && points >= fewest_points;
     for (const double factor : {1.1, 1.25, 1.5, 2.0, 3.0}) {
         if (has_end) break;
         if (points < fewest_points) break;
-        const auto part = below_0(enlarged(now.bounds, factor), [](double) {});
+        const auto part = below_0(enlarged(now.surface.bounds, factor), [](double) {});
         has_end = part && (*part == 0 || *part == 1);
-        if (has_end && !scene.material.inside) found.closed_by = factor;
+        if (has_end && !scene.surface.material.inside) found.closed_by = factor;
     }
     found.unbounded = why_unbounded(scene, now);
     if (!found.changes_sign) {
@@ -177,10 +178,10 @@ Sight sight(const Scene& scene, const SceneAt& now) {
         if (found.values)
             found.values = Interval{found.values->lo / field.scale, found.values->hi / field.scale};
     }
-    const glm::dvec3 eye = now.placement.to_local(now.camera.position);
+    const glm::dvec3 eye = now.surface.placement.to_local(now.camera.position);
     const bool is_perspective = now.camera.projection == Camera::Projection::perspective;
     const bool is_outside = is_cut_off(now, now.camera.position);
-    if (is_perspective && is_in(now.bounds, eye) && has_end && !is_outside) {
+    if (is_perspective && is_in(now.surface.bounds, eye) && has_end && !is_outside) {
         const double at_eye = f_at({eye})[0];
         found.eye_in_solid = below > 0.5 ? at_eye > 0 : at_eye < 0;
     }

@@ -15,7 +15,7 @@ namespace isomotion::scene {
 namespace {
 
 bool mirrors_all(const Scene& surface) {
-    return surface.material.reflection == Material::Reflection::self;
+    return surface.surface.material.reflection == Material::Reflection::self;
 }
 
 Among among_all(const Scene& scene, Among one) {
@@ -24,14 +24,14 @@ Among among_all(const Scene& scene, Among one) {
     one.depth = 0;
     for (int k = 0; k < int(surface_count(scene)); ++k) {
         const Scene& surface = nth_surface(scene, std::size_t(k));
-        const Material& material = surface.material;
+        const Material& material = surface.surface.material;
         one.mirrors |= int(mirrors_all(surface)) << k;
         if (!material.glass) continue;
         one.matters.push_back(k);
         one.depth = std::max(one.depth, material.glass->depth);
     }
     std::ranges::stable_sort(one.matters, std::greater{}, [&](int k) {
-        return nth_surface(scene, std::size_t(k)).material.glass->priority;
+        return nth_surface(scene, std::size_t(k)).surface.material.glass->priority;
     });
     return one;
 }
@@ -74,7 +74,7 @@ int surface_named(const Scene& scene, const std::string& name, const std::string
 }
 
 std::string place_of(const Scene& surface, const std::string& name) {
-    StatedAt at = stated_at(surface.value_places.get(), surface.file.string(), name);
+    StatedAt at = stated_at(surface.surface.value_places.get(), surface.file.string(), name);
     const std::string& label = surface.surface.label;
     if (label.empty()) return fmt::format("{}: {}", at.position, at.key);
     constexpr std::string_view of_one = "surface.";

@@ -25,7 +25,7 @@ struct Sample {
 template<class T>
 std::vector<Sample> samples_of(const formula::Field& field, const SceneAt& scene) {
     // A large sum makes each sample dear; the median needs few.
-    const std::vector<int> counts = scene.bindings.counts();
+    const std::vector<int> counts = scene.surface.bindings.counts();
     const double operations = std::max(formula::cost(field.gradient, counts).operations,
                                        formula::cost(field.value, counts).operations);
     // But a formula at the limits (scene/limits.h) must not keep a scene from being read.
@@ -39,10 +39,11 @@ std::vector<Sample> samples_of(const formula::Field& field, const SceneAt& scene
     for (auto& part : gradients) part.resize(std::size_t(count));
     for (int k = 1; k <= count; ++k) {
         const glm::dvec3 unit(halton(k, 2), halton(k, 3), halton(k, 5));
-        const glm::dvec3 p = scene.bounds.min + unit * (scene.bounds.max - scene.bounds.min);
+        const glm::dvec3 p =
+            scene.surface.bounds.min + unit * (scene.surface.bounds.max - scene.surface.bounds.min);
         for (int axis = 0; axis < 3; ++axis) at[std::size_t(axis)].push_back(T(p[axis]));
     }
-    const auto bindings = formula::convert<T>(scene.bindings);
+    const auto bindings = formula::convert<T>(scene.surface.bindings);
     const std::array<std::span<const T>, 3> from{at[0], at[1], at[2]};
     formula::Evaluator<T>(field.value).points(bindings, from, std::array{std::span(values)});
     formula::Evaluator<T>(field.gradient)

@@ -147,7 +147,7 @@ struct NamedValue {
 // What a quotient is divided by, or what another part is made of.
 std::vector<NamedValue> values_of(const Scene& scene, const SceneAt& now, const Culprit& of) {
     const formula::Graph& graph = scene.surface.field->graph;
-    const animation::Animation& animation = scene.timeline.animation;
+    const animation::Animation& animation = scene.surface.animation;
     const Node& part = graph[of.node];
     const NodeId from = part.op == Op::divide ? part.children[1] : of.node;
     std::vector<NamedValue> values;
@@ -155,13 +155,13 @@ std::vector<NamedValue> values_of(const Scene& scene, const SceneAt& now, const 
         const Node& node = graph[id];
         if (node.op == Op::parameter) {
             values.push_back({animation.tracks()[std::size_t(node.index)].name,
-                              now.bindings.parameters[std::size_t(node.index)]});
+                              now.surface.bindings.parameters[std::size_t(node.index)]});
         }
         if (node.op != Op::element || node.index != of.array) continue;
         const auto a = std::size_t(node.index), f = std::size_t(node.second);
         const animation::Array& array = animation.arrays()[a];
         values.push_back({fmt::format("{}.{}[{}]", array.name, array.fields[f].name, of.element),
-                          now.bindings.arrays[a].fields[f][of.element]});
+                          now.surface.bindings.arrays[a].fields[f][of.element]});
     }
     return values;
 }
@@ -170,14 +170,14 @@ std::vector<NamedValue> values_of(const Scene& scene, const SceneAt& now, const 
 
 std::optional<std::string> why_unbounded(const Scene& scene, const SceneAt& now) {
     const formula::Field& field = *scene.surface.field;
-    const auto bindings = formula::convert<Interval>(now.bindings);
-    const std::vector<int> counts = now.bindings.counts();
+    const auto bindings = formula::convert<Interval>(now.surface.bindings);
+    const std::vector<int> counts = now.surface.bindings.counts();
     if (formula::cost(field.value, counts).operations > most_work / most_points)
         return std::nullopt;
     // Parts adds a node for each.
     if (2 * field.graph.size() > formula::limits::graph_nodes) return std::nullopt;
     const formula::EnclosurePrograms& programs = formula::enclosure_programs(field);
-    const std::vector<Point> points = points_of(now.bounds);
+    const std::vector<Point> points = points_of(now.surface.bounds);
     formula::Evaluator<Interval> value(programs.value), jumps(programs.jumps);
     const bool is_known = std::ranges::any_of(points, [&](const Point& p) {
         Interval f;

@@ -30,15 +30,15 @@ std::vector<std::string> layers(const std::vector<synthesis::Channel>& channels)
 
 } // namespace
 
-image::Metadata frame_metadata(const scene::Scene& scene, const scene::SceneAt& now,
-                               const animation::Values& values, int frame, image::Format format) {
-    const scene::Isolation& isolation = scene.isolation;
+image::Metadata frame_metadata(const scene::Scene& scene, const scene::SceneAt& now, int frame,
+                               image::Format format) {
+    const scene::Isolation& isolation = scene.surface.isolation;
     image::Metadata metadata{
         rate(scene.timeline.fps),
         {"Software", std::string("isomotion " ISOMOTION_VERSION)},
         {"isomotion:title", scene.title},
         {"isomotion:frame", frame},
-        {"isomotion:time", values.time},
+        {"isomotion:time", now.time},
         {"isomotion:formula", scene.surface.field->text},
         {"isomotion:method", std::string(scene::name(isolation.method))},
         {"isomotion:step", isolation.step},
@@ -70,8 +70,8 @@ image::Metadata frame_metadata(const scene::Scene& scene, const scene::SceneAt& 
     };
     for (int k = 0; k < scene.surface.parameters; ++k) {
         const auto index = std::size_t(k);
-        add("isomotion:parameter." + scene.timeline.animation.tracks()[index].name,
-            values.tracks[index]);
+        add("isomotion:parameter." + scene.surface.animation.tracks()[index].name,
+            now.surface.values->tracks[index]);
     }
     for (const scene::Scene& other : scene.others)
         add("isomotion:formula." + other.surface.label, other.surface.field->text);
@@ -106,16 +106,17 @@ Sequence sequence_of(const scene::Scene& scene, const SequenceName& name, image:
     return all;
 }
 
-FrameRecord record_of(const scene::Scene& scene, int frame, const animation::Values& values,
+FrameRecord record_of(const scene::Scene& scene, int frame, const scene::SceneAt& now,
                       const render::Picture& picture) {
     FrameRecord record;
     record.frame = frame;
-    record.time = values.time;
+    record.time = now.time;
     for (std::size_t k = 0; k < std::size_t(scene.surface.parameters); ++k) {
-        record.parameters.emplace_back(scene.timeline.animation.tracks()[k].name, values.tracks[k]);
+        record.parameters.emplace_back(scene.surface.animation.tracks()[k].name,
+                                       now.surface.values->tracks[k]);
     }
     record.verdicts = picture.verdicts;
-    if (scene.isolation.certify) record.proofs = picture.proofs;
+    if (scene.surface.isolation.certify) record.proofs = picture.proofs;
     record.without_colour = image::count_without_colour(picture.frame);
     record.evaluations = picture.evaluations();
     record.by_kind = render::each(picture.rays, &render::RayCount::evaluations);

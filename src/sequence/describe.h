@@ -20,8 +20,8 @@ inline constexpr const char* fingerprint_key = "isomotion:fingerprint";
 // The entries that fit into a file of the format. A parameter's name that is too long is left out;
 // a rate that 32-bit integers can't hold becomes a text. The last entry is the fingerprint's, still
 // empty, since the fingerprint covers the others.
-image::Metadata frame_metadata(const scene::Scene& scene, const scene::SceneAt& now,
-                               const animation::Values& values, int frame, image::Format format);
+image::Metadata frame_metadata(const scene::Scene& scene, const scene::SceneAt& now, int frame,
+                               image::Format format);
 
 // Fingerprint of a file: of its pixels (given by their fingerprint), its encoding and its metadata.
 std::string file_fingerprint(const std::string& pixels, const std::string& renderer,
@@ -33,7 +33,7 @@ Sequence sequence_of(const scene::Scene& scene, const SequenceName& name, image:
                      const std::string& shaders_fingerprint);
 
 // Everything except the fingerprint, the provenance and what is known only once the file exists.
-FrameRecord record_of(const scene::Scene& scene, int frame, const animation::Values& values,
+FrameRecord record_of(const scene::Scene& scene, int frame, const scene::SceneAt& now,
                       const render::Picture& picture);
 
 } // namespace isomotion::sequence

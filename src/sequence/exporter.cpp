@@ -56,7 +56,7 @@ void check_options(const scene::Scene& scene, const ExportOptions& options, imag
         throw OptionError(fmt::format("channels: a PNG holds the picture alone; write an EXR: {}",
                                       fs::path(options.output).replace_extension(".exr").string()));
     }
-    if (!scene.isolation.certify &&
+    if (!scene.surface.isolation.certify &&
         std::ranges::find(options.channels, synthesis::Channel::proof) != options.channels.end()) {
         throw OptionError("channels proof: nothing is proved without isolation.certify");
     }
@@ -75,13 +75,13 @@ const std::vector<int>& asked(const ExportOptions& options) {
 // A frame that waits for its picture, or has it.
 struct PendingFrame {
     int frame = 0;
-    animation::Values values;
-    std::shared_ptr<const scene::SceneAt> now;         // of an audited one
-    std::shared_ptr<const elements::ElementGrid> grid; // its elements then, if found by place
-    scene::Aim aim;                                    // of its first picture
-    image::Metadata metadata;
-    std::string fingerprint; // of its file
-    bool draws = true;       // not what the frame before it shows
+    std::shared_ptr<const scene::SceneAt> now;
+    bool is_audited = false;
+    std::shared_ptr<const elements::ElementGrid> grid{}; // of an audited one, if it has a grid
+    scene::Aim aim{};                                    // of its first picture
+    image::Metadata metadata{};
+    std::string fingerprint{}; // of its file
+    bool draws = true;         // not what the frame before it shows
 };
 
 // Audits what is drawn, on the thread that writes.
@@ -210,15 +210,15 @@ private:
     void add(int frame) {
         render::FrameInputs inputs = renderer_.prepare(scene_, frame);
         const std::string& pixels = inputs.fingerprint;
-        PendingFrame next{frame, inputs.values, {}, {}, {}, {}, {}};
+        PendingFrame next{frame, std::make_shared<const scene::SceneAt>(inputs.now)};
         next.aim = inputs.pictures.front().aim;
         inputs.pictures.front().endings_of = audit::pixels_of_frame(
             scene_.output.width, scene_.output.height, rays_to_audit(), frame);
         if (!inputs.pictures.front().endings_of.empty()) {
-            next.now = std::make_shared<const scene::SceneAt>(inputs.now);
+            next.is_audited = true;
             next.grid = render::grid(inputs.pictures.front());
         }
-        next.metadata = frame_metadata(scene_, inputs.now, next.values, frame, format_);
+        next.metadata = frame_metadata(scene_, *next.now, frame, format_);
         next.fingerprint =
             file_fingerprint(pixels, sequence_.provenance.renderer, format_, next.metadata);
         next.metadata.back().value = next.fingerprint;
@@ -295,7 +295,7 @@ private:
                              truth::words(pixel.fault)));
         }
         if (totals_.audit.wrong == 0) return;
-        const bool by_bounds = scene_.isolation.method == scene::Method::affine;
+        const bool by_bounds = scene_.surface.isolation.method == scene::Method::affine;
         warn(fmt::format("the picture is wrong in places; --method {} goes by bounds alone",
                          scene::name(by_bounds ? scene::Method::interval : scene::Method::affine)));
     }
@@ -304,8 +304,8 @@ private:
         image::Frame image = picture_drawn_->frame;
         image.metadata = std::move(pending.metadata);
         std::function<std::optional<AuditCounts>()> audit = [] { return std::nullopt; };
-        if (pending.draws && pending.now) {
-            audit = [this, frame = pending.frame, now = std::move(pending.now), aim = pending.aim,
+        if (pending.draws && pending.is_audited) {
+            audit = [this, frame = pending.frame, now = pending.now, aim = pending.aim,
                      grid = std::move(pending.grid), endings = picture_drawn_->endings] {
                 return auditing_.hold(frame, *now, aim, grid, endings, watcher_.stop);
             };
@@ -315,7 +315,7 @@ private:
                            [audit](const WrittenFile&) { audit(); });
             return;
         }
-        FrameRecord record = record_of(scene_, pending.frame, pending.values, *picture_drawn_);
+        FrameRecord record = record_of(scene_, pending.frame, *pending.now, *picture_drawn_);
         if (!pending.draws) record.drawing = 0;
         record.fingerprint = pending.fingerprint;
         record.provenance = sequence_.provenance;
@@ -382,7 +382,7 @@ Exporter::Exporter(scene::Scene scene, ExportOptions options)
 
 void Exporter::choose(std::span<const scene::Isolation> settings) {
     for (std::size_t k = 0; k < settings.size(); ++k)
-        scene::nth_surface(scene_, k).isolation = settings[k];
+        scene::nth_surface(scene_, k).surface.isolation = settings[k];
 }
 
 void Exporter::make_folders() const {

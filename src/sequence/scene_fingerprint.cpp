@@ -34,7 +34,7 @@ void add(Fingerprint& print, const scene::Output& output) {
 } // namespace
 
 std::string scene_fingerprint(const scene::Scene& scene) {
-    const animation::Animation& animation = scene.timeline.animation;
+    const animation::Animation& animation = scene.surface.animation;
     Fingerprint print;
     print.add("isomotion scene 1").add(scene.title).add(scene.surface.field->text);
     print.add(animation::to_string(scene.timeline.fps)).add(std::to_string(animation.seed()));
@@ -44,20 +44,20 @@ std::string scene_fingerprint(const scene::Scene& scene) {
     for (const synthesis::Effect effect : synthesis::effects(scene))
         print.add(synthesis::name(effect));
     print.add(std::to_string(int(scene.surface.bounds.shape)));
-    add(print, scene.isolation);
+    add(print, scene.surface.isolation);
     add_numbers(print, {double(scene.camera.projection), scene.camera.shutter});
     for (const scene::Light& light : scene.lights) {
         add_numbers(print, {double(light.is_point), double(light.shadow), double(light.headlight)});
         if (light.with_camera) print.add("with the camera");
     }
-    if (const auto& paint = scene.material.paint) {
+    if (const auto& paint = scene.surface.material.paint) {
         print.add(paint->value->text);
         add_numbers(print, {double(paint->map)});
         if (paint->shown) add_numbers(print, {paint->shown->least, paint->shown->most});
     }
-    if (const auto& color = scene.material.color_by_place) print.add(color->text);
-    if (const auto& contours = scene.material.contours) print.add(contours->value->text);
-    if (const auto& glass = scene.material.glass) {
+    if (const auto& color = scene.surface.material.color_by_place) print.add(color->text);
+    if (const auto& contours = scene.surface.material.contours) print.add(contours->value->text);
+    if (const auto& glass = scene.surface.material.glass) {
         add_numbers(print, {double(glass->depth)});
         if (glass->priority != 0) add_numbers(print, {double(glass->priority)});
     }

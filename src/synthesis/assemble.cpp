@@ -30,7 +30,7 @@ void become_glsl_es(Pass& pass) {
 // Whether beams by intervals do. Compute shaders are for hardware with more lanes than a picture
 // has blocks, where a walk along a beam takes longer than it saves, but for lists of elements.
 bool pays_in(Stage stage, const scene::Scene& scene, bool makes_lists) {
-    return stage == Stage::fragment || makes_lists || scene.isolation.beam.value_or(false);
+    return stage == Stage::fragment || makes_lists || scene.surface.isolation.beam.value_or(false);
 }
 
 // From so many pixels on an H100 has enough blocks to settle (docs/performance.md).
@@ -44,7 +44,7 @@ bool is_long(const formula::Program& gradient) { return gradient.instructions.si
 Passes assemble_with(const std::shared_ptr<const FieldTapes>& tapes, const scene::Scene& scene,
                      const std::vector<Channel>& channels, const Drawing& drawing) {
     const Stage stage = drawing.stage;
-    const scene::MethodTraits& method = scene::traits(scene.isolation.method);
+    const scene::MethodTraits& method = scene::traits(scene.surface.isolation.method);
     const bool on_web = drawing.platform == Platform::webgl;
     Passes passes;
     passes.stage = stage;
@@ -71,8 +71,8 @@ Passes assemble_with(const std::shared_ptr<const FieldTapes>& tapes, const scene
     if (!passes.beams.empty() && !on_web)
         passes.light_beams = shadow_mask(scene) & far_lights(scene);
     std::vector<Channel> wanted = channels;
-    if (scene.isolation.certify || drawing.tells_endings) wanted.push_back(Channel::ending);
-    if (scene.isolation.certify && is_among(scene)) wanted.push_back(Channel::surface);
+    if (scene.surface.isolation.certify || drawing.tells_endings) wanted.push_back(Channel::ending);
+    if (scene.surface.isolation.certify && is_among(scene)) wanted.push_back(Channel::surface);
     passes.attachments = written_channels(wanted);
     const bool fuses =
         stage == Stage::fragment && can_fuse(scene, channels, int(passes.attachments.size()));
@@ -111,7 +111,7 @@ Passes assemble_with(const std::shared_ptr<const FieldTapes>& tapes, const scene
     if (std::find(channels.begin(), channels.end(), Channel::velocity) != channels.end()) {
         add(motion_pass(scene, passes));
     }
-    if (scene.isolation.certify) {
+    if (scene.surface.isolation.certify) {
         for (Pass& pass : proof_passes(scene, passes)) add(std::move(pass));
     }
     if (on_web) {

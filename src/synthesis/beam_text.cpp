@@ -157,7 +157,7 @@ Pass beam_pass_by_models(const scene::Scene& scene, const Passes& passes, int le
     ShaderText text(passes.stage);
     declare_results(text, passes.stage, std::array<std::string_view, 2>{"part", "roots"});
     define_blocks(text, beam);
-    if (scene.isolation.certify) text.define("BOTH_ENDS", 1);
+    if (scene.surface.isolation.certify) text.define("BOTH_ENDS", 1);
     add_enclosures(text, *scene.surface.field, passes, {});
     add_piece_models(text, *scene.surface.field, "models/block.glsl");
     text.file_of_stage("frame.glsl", "stage/frame.glsl");
@@ -188,8 +188,9 @@ void define_blocks(ShaderText& text, const BeamLevel& beam) {
 }
 
 bool uses_beams(const scene::Scene& scene) {
-    return scene.isolation.beam.value_or(scene.isolation.method == scene::Method::hermite &&
-                                         bounds_pay(*scene.surface.field));
+    return scene.surface.isolation.beam.value_or(scene.surface.isolation.method ==
+                                                     scene::Method::hermite &&
+                                                 bounds_pay(*scene.surface.field));
 }
 
 Pass beam_pass(const scene::Scene& scene, const Passes& passes, int level) {
@@ -203,9 +204,9 @@ bool can_settle_blocks(const scene::Scene& scene, int finest) {
     // models of more products cost more than they save.
     const int most = bounds_pay(*scene.surface.field) ? 10 : 8;
     const int degree = formula::modelled_degree(*scene.surface.field);
-    return scene.isolation.method == scene::Method::hermite &&
-           scene.isolation.beam.value_or(true) && scene.sections.empty() && !is_among(scene) &&
-           degree > 0 && degree <= most && finest > 1;
+    return scene.surface.isolation.method == scene::Method::hermite &&
+           scene.surface.isolation.beam.value_or(true) && scene.sections.empty() &&
+           !is_among(scene) && degree > 0 && degree <= most && finest > 1;
 }
 
 bool lies_in_beams(const Passes& passes, int block) {

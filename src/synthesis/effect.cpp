@@ -26,9 +26,9 @@ void add_vector(Uniforms& to, const char* name, const glm::dvec3& v) {
 }
 
 void add_gloss(const Scene&, const SceneAt& now, Uniforms& to) {
-    to.push_back({"gloss", glm::vec4(now.gloss)});
+    to.push_back({"gloss", glm::vec4(now.surface.gloss)});
 }
-void become_matt(Scene& scene) { scene.material.model = Model::lambert; }
+void become_matt(Scene& scene) { scene.surface.material.model = Model::lambert; }
 
 const std::array table{
     EffectTraits{Effect::point_lights, "point-lights", "lights.position: lights at a place",
@@ -48,44 +48,46 @@ const std::array table{
                  },
                  true, "", "shadow_mask"},
     EffectTraits{Effect::blinn_phong, "blinn-phong", "material.model: a highlight",
-                 [](const Scene& s) { return s.material.model == Model::blinn_phong; }, become_matt,
-                 true, "pow", "brdf_blinn_phong", add_gloss},
+                 [](const Scene& s) { return s.surface.material.model == Model::blinn_phong; },
+                 become_matt, true, "pow", "brdf_blinn_phong", add_gloss},
     EffectTraits{Effect::ggx, "ggx", "material.model: from plastic to metal",
-                 [](const Scene& s) { return s.material.model == Model::ggx; }, become_matt, true,
-                 "", "brdf_ggx", add_gloss},
+                 [](const Scene& s) { return s.surface.material.model == Model::ggx; }, become_matt,
+                 true, "", "brdf_ggx", add_gloss},
     EffectTraits{Effect::two_sides, "two-sides",
                  "material.back_color: a colour for the side where F < 0",
-                 [](const Scene& s) { return s.material.inside.has_value(); },
-                 [](Scene& s) { s.material.inside.reset(); }, false, "", "",
+                 [](const Scene& s) { return s.surface.material.inside.has_value(); },
+                 [](Scene& s) { s.surface.material.inside.reset(); }, false, "", "",
                  [](const Scene&, const SceneAt& now, Uniforms& to) {
-                     add(to, "inside_color", now.inside_color);
+                     add(to, "inside_color", now.surface.inside_color);
                  }},
     EffectTraits{Effect::paint, "paint", "material.colormap: colours by an expression",
-                 [](const Scene& s) { return s.material.paint.has_value(); },
-                 [](Scene& s) { s.material.paint.reset(); }, false, "", "",
+                 [](const Scene& s) { return s.surface.material.paint.has_value(); },
+                 [](Scene& s) { s.surface.material.paint.reset(); }, false, "", "",
                  [](const Scene& s, const SceneAt& now, Uniforms& to) {
-                     to.push_back({"paint_range", glm::vec2(now.paint_range)});
+                     to.push_back({"paint_range", glm::vec2(now.surface.paint_range)});
                      // The time is given only where it is asked for: it would tell still frames
                      // apart.
-                     if (s.material.paint->value->uses("t")) {
+                     if (s.surface.material.paint->value->uses("t")) {
                          to.push_back({"paint_time", float(now.time)});
                      }
                  }},
     EffectTraits{Effect::color_by_place, "color-by-place",
                  "material.color: expressions of the place, or fields r, g, b of elements",
-                 [](const Scene& s) { return s.material.color_by_place && !s.material.paint; },
-                 [](Scene& s) { s.material.color_by_place.reset(); }, false, "", "",
+                 [](const Scene& s) {
+                     return s.surface.material.color_by_place && !s.surface.material.paint;
+                 },
+                 [](Scene& s) { s.surface.material.color_by_place.reset(); }, false, "", "",
                  [](const Scene& s, const SceneAt& now, Uniforms& to) {
-                     if (s.material.color_by_place->uses("t"))
+                     if (s.surface.material.color_by_place->uses("t"))
                          to.push_back({"paint_time", float(now.time)});
                  }},
     EffectTraits{Effect::mirror, "mirror", "material.reflection = \"sky\": mirrors what is around",
-                 [](const Scene& s) { return s.material.reflection == Reflection::sky; },
-                 [](Scene& s) { s.material.reflection = Reflection::none; }, true},
+                 [](const Scene& s) { return s.surface.material.reflection == Reflection::sky; },
+                 [](Scene& s) { s.surface.material.reflection = Reflection::none; }, true},
     EffectTraits{Effect::self_reflection, "self-reflection",
                  "material.reflection = \"self\": and the surface itself, by a second ray",
-                 [](const Scene& s) { return s.material.reflection == Reflection::self; },
-                 [](Scene& s) { s.material.reflection = Reflection::sky; }, true, "",
+                 [](const Scene& s) { return s.surface.material.reflection == Reflection::self; },
+                 [](Scene& s) { s.surface.material.reflection = Reflection::sky; }, true, "",
                  "load_mirrored"},
     EffectTraits{Effect::occlusion, "occlusion",
                  "[occlusion]: less light from around where something is near",
@@ -93,7 +95,8 @@ const std::array table{
                  [](Scene& s) { s.occlusion.reset(); }, true, "", "occlusion",
                  [](const Scene&, const SceneAt& now, Uniforms& to) {
                      add(to, "occlusion",
-                         {now.occlusion.reach / now.placement.scale, now.occlusion.strength, 0});
+                         {now.occlusion.reach / now.surface.placement.scale, now.occlusion.strength,
+                          0});
                  }},
     EffectTraits{Effect::ground, "ground", "[ground]: a plane",
                  [](const Scene& s) { return s.ground.has_value(); },
@@ -101,7 +104,7 @@ const std::array table{
                  [](const Scene&, const SceneAt& now, Uniforms& to) {
                      // In double: the ground may be far from the world's origin and near the
                      // surface.
-                     const scene::PlacementAt& place = now.placement;
+                     const scene::PlacementAt& place = now.surface.placement;
                      add(to, "ground_plane", glm::transpose(place.rotate) * glm::dvec3(0, 0, 1),
                          (place.translate.z - now.ground.height) / place.scale);
                      add(to, "ground_color", now.ground.color);
@@ -110,14 +113,14 @@ const std::array table{
                  [](const Scene& s) { return s.fog.has_value(); }, [](Scene& s) { s.fog.reset(); },
                  true, "", "fog",
                  [](const Scene&, const SceneAt& now, Uniforms& to) {
-                     add(to, "fog", {now.fog.density, now.fog.start, now.placement.scale});
+                     add(to, "fog", {now.fog.density, now.fog.start, now.surface.placement.scale});
                      add(to, "fog_color", now.fog.color);
                  }},
     EffectTraits{Effect::environment, "environment", "[environment]: a map of what is around",
                  [](const Scene& s) { return s.environment.has_value(); },
                  [](Scene& s) { s.environment.reset(); }, true, "atan", "environment",
                  [](const Scene&, const SceneAt& now, Uniforms& to) {
-                     const glm::dmat3 to_local = glm::transpose(now.placement.rotate);
+                     const glm::dmat3 to_local = glm::transpose(now.surface.placement.rotate);
                      add_vector(to, "environment_ahead", to_local * now.environment->ahead);
                      add_vector(to, "environment_left", to_local * now.environment->left);
                      add_vector(to, "environment_top", to_local * now.environment->top);
@@ -165,25 +168,28 @@ const std::array table{
                  [](const Scene& s, const SceneAt& now, Uniforms& to) {
                      to.push_back(sections_uniform(now));
                      if (!has_cap_color(s)) return;
-                     add(to, "cap_color", s.material.cap ? now.cap_color : now.inside_color);
+                     add(to, "cap_color",
+                         s.surface.material.cap ? now.surface.cap_color : now.surface.inside_color);
                  }},
     EffectTraits{Effect::contours, "contours", "material.contours: lines where a number is whole",
-                 [](const Scene& s) { return s.material.contours.has_value(); },
-                 [](Scene& s) { s.material.contours.reset(); }, false, "", "",
+                 [](const Scene& s) { return s.surface.material.contours.has_value(); },
+                 [](Scene& s) { s.surface.material.contours.reset(); }, false, "", "",
                  [](const Scene& s, const SceneAt& now, Uniforms& to) {
-                     const scene::ContoursAt& lines = now.contours;
+                     const scene::ContoursAt& lines = now.surface.contours;
                      add(to, "contours", {lines.every, lines.from, lines.width});
                      add(to, "contour_color", lines.color);
-                     if (s.material.contours->value->uses("t"))
+                     if (s.surface.material.contours->value->uses("t"))
                          to.push_back({"contour_time", float(now.time)});
                  }},
     EffectTraits{
         Effect::glass, "glass", "material.transmission: light goes through, refracted and absorbed",
-        [](const Scene& s) { return s.material.glass.has_value(); },
-        [](Scene& s) { s.material.glass.reset(); }, true, "", "",
+        [](const Scene& s) { return s.surface.material.glass.has_value(); },
+        [](Scene& s) { s.surface.material.glass.reset(); }, true, "", "",
         [](const Scene& s, const SceneAt& now, Uniforms& to) {
-            add(to, "glass", {now.glass.transmission, now.glass.ior, s.material.glass->depth});
-            add(to, "absorption", now.glass.absorption * now.placement.scale);
+            add(to, "glass",
+                {now.surface.glass.transmission, now.surface.glass.ior,
+                 s.surface.material.glass->depth});
+            add(to, "absorption", now.surface.glass.absorption * now.surface.placement.scale);
         }},
 };
 

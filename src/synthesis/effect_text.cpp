@@ -23,7 +23,7 @@ std::string lit(const scene::Scene& scene, const char* name, const char* visibil
     const bool occluded = scene.occlusion && is_occluded;
     const bool glass = has_glass(scene);
     // Metal has no matt part that light from everywhere could come back from, nor light go through.
-    const bool metal = scene.material.model == scene::Material::Model::ggx;
+    const bool metal = scene.surface.material.model == scene::Material::Model::ggx;
     std::string text = fmt::format("vec3 {}(SurfacePoint p, Hit hit, vec3 to_viewer) {{\n", name);
     const std::string_view matt =
         glass && !metal ? "surface_color(hit) * opaque_part()" : "surface_color(hit)";
@@ -64,7 +64,7 @@ std::string around(const scene::Scene& scene, const char* direction) {
 std::string with_mirror(const scene::Scene& scene) {
     // The matt part of other materials is what their highlight leaves; a matt one gets a clear
     // coat.
-    const bool matt = scene.material.model == scene::Material::Model::lambert;
+    const bool matt = scene.surface.material.model == scene::Material::Model::lambert;
     return fmt::format("vec3 with_mirror(vec3 color, Hit hit, vec3 to_viewer, vec3 seen) "
                        "{{\n    vec3 weight = mirror_weight(surface_color(hit), "
                        "hit.normal, to_viewer);\n    return color{} + weight * seen;\n}}\n",
@@ -73,7 +73,7 @@ std::string with_mirror(const scene::Scene& scene) {
 
 // vec3 mirrored(...): with what the surface mirrors; a mirror in a mirror shows what is around.
 std::string mirrored(const scene::Scene& scene) {
-    if (follows_paths(scene) && scene.material.reflection == Reflection::self) {
+    if (follows_paths(scene) && scene.surface.material.reflection == Reflection::self) {
         // The path's light is added to that of the surface.
         return fmt::format("vec3 mirrored(vec3 color, Ray ray, SurfacePoint p, Hit hit) {{\n{}"
                            "    return color * beside_mirror(mirror_weight(surface_color(hit), "
@@ -81,7 +81,7 @@ std::string mirrored(const scene::Scene& scene) {
                            scene.ground ? "    if (p.on_ground) return color;\n" : "");
     }
     std::string text = with_mirror(scene);
-    const bool is_ggx = scene.material.model == scene::Material::Model::ggx;
+    const bool is_ggx = scene.surface.material.model == scene::Material::Model::ggx;
     const bool is_blurred = mirrors_environment(scene);
     if (is_blurred) {
         text += fmt::format("float mirror_alpha2() {{\n    return {};\n}}\n",
@@ -92,7 +92,7 @@ std::string mirrored(const scene::Scene& scene) {
     text += fmt::format("    vec3 direction = reflect(ray.direction, p.normal);\n"
                         "    vec3 seen = {};\n",
                         around(scene, "direction"));
-    if (scene.material.reflection != Reflection::self)
+    if (scene.surface.material.reflection != Reflection::self)
         return text + "    return with_mirror(color, hit, -ray.direction, seen);\n}\n";
     if (is_among(scene)) {
         return text + "    vec4 other = seen_in_mirror();\n"
@@ -130,7 +130,7 @@ std::string_view file_among(Effect effect) {
 }
 
 void add_effects(ShaderText& text, const scene::Scene& scene, bool in_mirror) {
-    if (scene.material.model == scene::Material::Model::lambert)
+    if (scene.surface.material.model == scene::Material::Model::lambert)
         text.file("effects/brdf_lambert.glsl");
     for (const Effect effect : effects(scene)) {
         const EffectTraits& row = traits(effect);
@@ -161,7 +161,7 @@ std::string further_record(const scene::Scene& scene) {
         shadows.push_back(texel("glass_shadow_texture") + ".zw");
     if (follows_paths(scene)) shadows.emplace_back("unpacked_shadows(seen_in_mirror().a)");
     std::string text;
-    const bool mirrors = scene.material.reflection == Reflection::self;
+    const bool mirrors = scene.surface.material.reflection == Reflection::self;
     if (mirrors && is_among(scene) && !follows_paths(scene))
         text += "uniform sampler2D mirrored_texture_1;\nuniform sampler2D mirrored_texture_3;\n";
     text += "uvec3 further_record(SurfacePoint p) {\n    vec2 shadows = vec2(0.0);\n";
@@ -206,11 +206,12 @@ int shadow_mask(const scene::Scene& scene) {
 
 bool mirrors_environment(const scene::Scene& scene) {
     // Where several surfaces mirror each other, mirrors show the map as it is.
-    return scene.environment && scene.material.reflection != Reflection::none && !is_among(scene);
+    return scene.environment && scene.surface.material.reflection != Reflection::none &&
+           !is_among(scene);
 }
 
 bool mirrors_shadows(const scene::Scene& scene) {
-    return scene.material.reflection == Reflection::self && shadow_mask(scene) != 0 &&
+    return scene.surface.material.reflection == Reflection::self && shadow_mask(scene) != 0 &&
            !is_among(scene);
 }
 
@@ -238,7 +239,7 @@ void add_lights(ShaderText& text, const scene::Scene& scene) {
 }
 
 void add_shading(ShaderText& text, const scene::Scene& scene) {
-    const Reflection reflection = scene.material.reflection;
+    const Reflection reflection = scene.surface.material.reflection;
     const bool has_shadows = shadow_mask(scene) != 0;
     add_lights(text, scene);
     text.file("effects/hit_of.glsl");
@@ -297,7 +298,7 @@ void add_seen_shading(ShaderText& text, const scene::Scene& scene) {
     text.file("effects/hit_of.glsl");
     add_effects(text, scene, true);
     if (follows_paths(scene)) add_matter_of_surface(text, scene);
-    const bool mirrors = scene.material.reflection != Reflection::none;
+    const bool mirrors = scene.surface.material.reflection != Reflection::none;
     std::string glue = scene.ground ? "uniform vec4 ground_color;\n" : "";
     const bool in_shadow = follows_paths(scene) && shadow_mask(scene) != 0;
     glue += lit(scene, "lit_again", in_shadow ? "visibility" : nullptr, false);

@@ -27,7 +27,7 @@ constexpr int most_in_beams_of_a_page = 24;
 
 // Whether rays ask for bounds of F over pieces of them.
 bool goes_by_bounds(const scene::Scene& scene) {
-    switch (scene.isolation.method) {
+    switch (scene.surface.isolation.method) {
     case scene::Method::interval:
     case scene::Method::affine:
     case scene::Method::sphere:
@@ -49,14 +49,14 @@ std::optional<int> array_to_find_by_place(const scene::Scene& scene, std::span<c
     if (counts.empty()) return std::nullopt;
     const int array = int(std::ranges::max_element(counts) - counts.begin());
     const int count = counts[std::size_t(array)];
-    const bool looks_at_all = scene.isolation.beam == false;
-    const bool is_hermite = scene.isolation.method == scene::Method::hermite;
+    const bool looks_at_all = scene.surface.isolation.beam == false;
+    const bool is_hermite = scene.surface.isolation.method == scene::Method::hermite;
     // Bounds over a box take all other arrays in each of its cells, of which a draw has
     // MOST_ELEMENTS at most (field_text.cpp): proofs come to boxes of two cells, marches by bounds
     // need some eight.
     constexpr int most_of_others = 2000, most_by_bounds = 500;
     const int others = std::accumulate(counts.begin(), counts.end(), 0) - count;
-    if (others > most_of_others && scene.isolation.certify) return std::nullopt;
+    if (others > most_of_others && scene.surface.isolation.certify) return std::nullopt;
     if (others > most_by_bounds && goes_by_bounds(scene)) return std::nullopt;
     const int from = looks_at_all ? most_in_a_shader : is_hermite ? fewest : most_by_lists;
     if (count <= from || !formula::element_kernels(*scene.surface.field, array))
@@ -81,8 +81,8 @@ bool may_keep_lists(const scene::Scene& scene, std::span<const int> counts) {
 // in pictures of 64 to 512 pixels a side (tests/bench/lists_or_grid.py), in fragment shaders; the
 // compute stage is for hardware, where none was measured.
 double side_for_lists(const scene::Scene& scene, int count, Stage stage) {
-    if (!scene.surface.elements_at_a_place || scene.isolation.certify ||
-        scene.isolation.method != scene::Method::hermite || stage != Stage::fragment)
+    if (!scene.surface.elements_at_a_place || scene.surface.isolation.certify ||
+        scene.surface.isolation.method != scene::Method::hermite || stage != Stage::fragment)
         return 0;
     const double at_a_place = *scene.surface.elements_at_a_place;
     const double merging = std::min(1.0, 30 / at_a_place);
@@ -91,7 +91,7 @@ double side_for_lists(const scene::Scene& scene, int count, Stage stage) {
 }
 
 bool is_faster_by_place(const scene::Scene& scene, int count, const Drawing& drawing) {
-    if (scene.isolation.beam == true) return false;
+    if (scene.surface.isolation.beam == true) return false;
     const double side = drawing.pixels > 0 ? side_for_lists(scene, count, drawing.stage) : 0;
     return side > 0 ? double(drawing.pixels) < side * side : count > most_by_lists;
 }
@@ -101,7 +101,7 @@ bool is_faster_by_place(const scene::Scene& scene, int count, const Drawing& dra
 FieldStorage storage_of_elements(const scene::Scene& scene, const Drawing& drawing,
                                  bool keeps_copies) {
     const bool on_web = drawing.platform == Platform::webgl;
-    const std::vector<int> counts = scene.timeline.animation.counts();
+    const std::vector<int> counts = scene.surface.animation.counts();
     const auto by_place = array_to_find_by_place(scene, counts, drawing.platform);
     Finding finding;
     // Rays that begin on a surface have no beams there, and find elements faster by place.
@@ -120,9 +120,9 @@ std::vector<std::int64_t> sizes_of_change(const scene::Scene& scene, const Drawi
     if (!drawing.writes_buffers || drawing.platform == Platform::webgl) return sizes;
     for (int k = 0; k < int(scene::surface_count(scene)); ++k) {
         const scene::Scene surface = scene::of_surface(scene, k);
-        const std::vector<int> counts = surface.timeline.animation.counts();
+        const std::vector<int> counts = surface.surface.animation.counts();
         const auto by_place = array_to_find_by_place(surface, counts, drawing.platform);
-        if (!by_place || surface.isolation.beam == true || !may_keep_lists(surface, counts))
+        if (!by_place || surface.surface.isolation.beam == true || !may_keep_lists(surface, counts))
             continue;
         const double side = side_for_lists(surface, counts[std::size_t(*by_place)], drawing.stage);
         if (side > 0) sizes.push_back(std::int64_t(std::ceil(side * side)));

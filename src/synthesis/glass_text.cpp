@@ -64,7 +64,7 @@ Pass first_pass(const scene::Scene& scene, const Passes& passes) {
         "generated: no ray ends here",
         "vec3 surface_gradient(RayState s, vec3 position) {\n    return vec3(0.0);\n}\n");
     add_way_through(text, scene);
-    const bool is_ggx = scene.material.model == Model::ggx;
+    const bool is_ggx = scene.surface.material.model == Model::ggx;
     text.generated("generated: how much goes in",
                    (is_ggx ? "uniform vec4 gloss;\n" : "") + transmission(scene));
     text.file("glass/first.frag");
@@ -111,14 +111,14 @@ Pass ground_pass(const scene::Scene& scene) {
 } // namespace
 
 std::string beside_reflection(const scene::Scene& scene) {
-    const bool matt = scene.material.model == Model::lambert;
+    const bool matt = scene.surface.material.model == Model::lambert;
     return fmt::format("float beside_reflection(float reflected) {{\n    return {};\n}}\n",
                        matt ? "1.0 - reflected" : "1.0");
 }
 
 std::string transmission(const scene::Scene& scene) {
     // Metal lets no light in.
-    const bool is_ggx = scene.material.model == Model::ggx;
+    const bool is_ggx = scene.surface.material.model == Model::ggx;
     return fmt::format("float transmission() {{\n    return glass.x{};\n}}\n",
                        is_ggx ? " * (1.0 - gloss.y)" : "");
 }
@@ -160,7 +160,7 @@ void add_matter(ShaderText& text, const scene::Scene& scene) {
     text.file("glass/matter.glsl");
     text.file("glass/refraction.glsl");
     text.generated("generated: the part of what is matt that is as without glass", opaque_part());
-    if (scene.material.model == Model::ggx) text.file("glass/matt_ggx.glsl");
+    if (scene.surface.material.model == Model::ggx) text.file("glass/matt_ggx.glsl");
 }
 
 void add_seen_through_glass(ShaderText& text, const scene::Scene& scene) {

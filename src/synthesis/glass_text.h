@@ -14,7 +14,9 @@
 
 namespace isomotion::synthesis {
 
-inline bool has_glass(const scene::Scene& scene) { return scene.material.glass.has_value(); }
+inline bool has_glass(const scene::Scene& scene) {
+    return scene.surface.material.glass.has_value();
+}
 // float beside_reflection(float): the weight of the surface's own colour. Light that it gives back
 // entered it if it is matt; the highlights of other models are of what is reflected.
 std::string beside_reflection(const scene::Scene& scene);

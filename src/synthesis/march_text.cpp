@@ -27,14 +27,14 @@ void add_files(ShaderText& text, std::span<const std::string_view> names) {
 
 // Whether cubics have to look out for places where F isn't smooth.
 bool meets_rough_places(const scene::Scene& scene) {
-    return scene.isolation.method == scene::Method::hermite &&
+    return scene.surface.isolation.method == scene::Method::hermite &&
            !scene.surface.smoothness.is_smooth();
 }
 
 // Whether bounds of F judge where cubics take it for 0 without a change of sign. Where F isn't
 // smooth, rough.glsl does that.
 bool judges_touches(const scene::Scene& scene) {
-    return scene.isolation.method == scene::Method::hermite &&
+    return scene.surface.isolation.method == scene::Method::hermite &&
            scene.surface.smoothness.false_touches && !meets_rough_places(scene);
 }
 
@@ -50,7 +50,7 @@ int tries_of_a_touch(const Passes& passes) {
 // The paper's methods go all the way, as the paper has them.
 bool passes_free_cells(const scene::Scene& scene, const Passes& passes) {
     return (array_with_grid(passes) || (passes.tapes && passes.tapes->chooses())) &&
-           scene::traits(scene.isolation.method).steps == scene::Steps::cubics;
+           scene::traits(scene.surface.isolation.method).steps == scene::Steps::cubics;
 }
 
 void add_way_past(ShaderText& text, const Passes& passes) {
@@ -62,7 +62,7 @@ void add_way_past(ShaderText& text, const Passes& passes) {
 
 // What finds a root between two samples, or in a piece.
 void add_isolation(ShaderText& text, const scene::Scene& scene, const Passes& passes) {
-    const scene::MethodTraits& method = scene::traits(scene.isolation.method);
+    const scene::MethodTraits& method = scene::traits(scene.surface.isolation.method);
     const bool directional = passes.samples.front() == FieldFunction::directional;
     const bool bounds = method.samples == scene::Samples::value_and_bounds;
     const bool is_rough = meets_rough_places(scene);
@@ -77,7 +77,7 @@ void add_isolation(ShaderText& text, const scene::Scene& scene, const Passes& pa
 
 // turn(), which takes a ray on by what one sample of the field tells.
 void add_turn(ShaderText& text, const scene::Scene& scene, const Passes& passes) {
-    const scene::MethodTraits& method = scene::traits(scene.isolation.method);
+    const scene::MethodTraits& method = scene::traits(scene.surface.isolation.method);
     const bool is_rough = meets_rough_places(scene);
     if (method.samples == scene::Samples::value_and_bounds || is_rough) {
         text.file("march/finest.glsl");
@@ -101,7 +101,7 @@ void add_turn(ShaderText& text, const scene::Scene& scene, const Passes& passes)
 } // namespace
 
 std::vector<FieldFunction> samples_of(const scene::Scene& scene, bool march_takes_gradient) {
-    const scene::MethodTraits& method = scene::traits(scene.isolation.method);
+    const scene::MethodTraits& method = scene::traits(scene.surface.isolation.method);
     const auto with_breaks = [&](std::vector<FieldFunction> functions) {
         const formula::Smoothness& is = scene.surface.smoothness;
         if (is.jumps || is.poles) functions.push_back(FieldFunction::breaks);
@@ -154,7 +154,7 @@ void define_state(ShaderText& text, const Passes& passes) {
 // where it leaves: then caps take no sample of their own. Breaks and free cells leave other values
 // in a ray's state.
 bool samples_tell_caps(const scene::Scene& scene, const Passes& passes) {
-    const scene::MethodTraits& method = scene::traits(scene.isolation.method);
+    const scene::MethodTraits& method = scene::traits(scene.surface.isolation.method);
     if (passes_free_cells(scene, passes)) return false;
     if (method.samples == scene::Samples::value_and_bounds)
         return passes.samples.back() != FieldFunction::breaks;
@@ -221,7 +221,7 @@ Pass active_pass(When when) {
 }
 
 Pass shadow_pass(const scene::Scene& scene, const Passes& passes) {
-    const scene::MethodTraits& method = scene::traits(scene.isolation.method);
+    const scene::MethodTraits& method = scene::traits(scene.surface.isolation.method);
     ShaderText text(passes.stage);
     define_state(text, passes);
     text.define("LIGHTS", int(scene.lights.size()));

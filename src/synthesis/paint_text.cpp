@@ -16,7 +16,7 @@ const char* file_of(scene::ColorMap map) {
 } // namespace
 
 const formula::Paint* painting(const scene::Scene& scene) {
-    const scene::Material& material = scene.material;
+    const scene::Material& material = scene.surface.material;
     return material.paint ? material.paint->value.get() : material.color_by_place.get();
 }
 
@@ -30,7 +30,7 @@ std::vector<GeneratedFunction> painting_functions(const scene::Scene& scene,
     const formula::Paint* paint = painting(scene);
     const formula::ArrayPacking& packing = scene.surface.field->packing;
     std::vector<GeneratedFunction> functions;
-    if (const auto& contours = scene.material.contours) {
+    if (const auto& contours = scene.surface.material.contours) {
         const formula::Paint& value = *contours->value;
         functions.push_back({value.text, formula::kernels_used(value.value),
                              formula::glsl_contour_value(value, packing),
@@ -42,14 +42,14 @@ std::vector<GeneratedFunction> painting_functions(const scene::Scene& scene,
                              formula::glsl_hessian(*paint->hessian, packing)});
     }
     functions.push_back({paint->text, formula::kernels_used(paint->value),
-                         scene.material.paint ? formula::glsl_paint_value(*paint, packing)
-                                              : formula::glsl_color_value(*paint, packing),
+                         scene.surface.material.paint ? formula::glsl_paint_value(*paint, packing)
+                                                      : formula::glsl_color_value(*paint, packing),
                          sums_all_elements(*paint, storage)});
     return functions;
 }
 
 void add_painting(ShaderText& text, const scene::Scene& scene) {
-    const scene::Material& material = scene.material;
+    const scene::Material& material = scene.surface.material;
     text.file(painting(scene)->hessian ? "effects/curvature.glsl" : "effects/no_curvature.glsl");
     if (material.paint) {
         text.file("effects/oklab.glsl");

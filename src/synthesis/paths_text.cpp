@@ -17,7 +17,7 @@ namespace {
 using Reflection = scene::Material::Reflection;
 
 bool mirrors_all(const scene::Scene& scene) {
-    return scene.material.reflection == Reflection::self;
+    return scene.surface.material.reflection == Reflection::self;
 }
 
 // Whether its own light is part of a path that goes on.
@@ -53,7 +53,7 @@ void add_glass_met(ShaderText& text, const scene::Scene& scene) {
 // beside_mirror(): the weight of the surface's own colour. The matt part of other materials is what
 // their highlight leaves; a matt one gets a clear coat.
 std::string beside_mirror(const scene::Scene& scene) {
-    const bool matt = scene.material.model == scene::Material::Model::lambert;
+    const bool matt = scene.surface.material.model == scene::Material::Model::lambert;
     return fmt::format("vec3 beside_mirror(vec3 mirror) {{\n    return vec3(1.0){};\n}}\n",
                        matt ? " - mirror" : "");
 }
@@ -204,7 +204,8 @@ void add_matter_of_surface(ShaderText& text, const scene::Scene& scene) {
     if (!has_glass(scene)) return;
     text.generated("generated: the part of what is matt that is as without glass",
                    "uniform vec4 glass; // transmission, index of refraction\n" + opaque_part());
-    if (scene.material.model == scene::Material::Model::ggx) text.file("glass/matt_ggx.glsl");
+    if (scene.surface.material.model == scene::Material::Model::ggx)
+        text.file("glass/matt_ggx.glsl");
 }
 
 void add_seen_by_path(ShaderText& text, const scene::Scene& scene) {

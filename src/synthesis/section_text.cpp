@@ -44,7 +44,7 @@ void add_sections_over_boxes(ShaderText& text, const scene::Scene& scene) {
 void add_crossings(ShaderText& text, const scene::Scene& scene) {
     if (scene.sections.empty()) return;
     const bool bounds =
-        scene::traits(scene.isolation.method).samples == scene::Samples::value_and_bounds;
+        scene::traits(scene.surface.isolation.method).samples == scene::Samples::value_and_bounds;
     text.generated("generated: F at a place",
                    bounds ? "float field_at(vec3 p, vec3 direction) {\n    return field(p);\n}\n"
                           : "float field_at(vec3 p, vec3 direction) {\n"
@@ -95,7 +95,7 @@ void add_gradient_of_rest(ShaderText& text, const scene::Scene& scene, const std
 }
 
 bool has_cap_color(const scene::Scene& scene) {
-    const scene::Material& material = scene.material;
+    const scene::Material& material = scene.surface.material;
     if (scene.sections.empty()) return false;
     return material.cap || (material.inside && !material.paint);
 }
@@ -103,7 +103,7 @@ bool has_cap_color(const scene::Scene& scene) {
 Uniform sections_uniform(const scene::SceneAt& now) {
     std::vector<scene::SectionAt> local;
     for (const scene::SectionAt& section : now.sections)
-        local.push_back(in_formula_coordinates(section, now.placement));
+        local.push_back(in_formula_coordinates(section, now.surface.placement));
     return {"sections", scene::packed(local)};
 }
 

@@ -88,7 +88,7 @@ void add_matter_color(ShaderText& text, const scene::Scene& scene) {
     if (painting(scene)) {
         add_painting(text, scene);
     } else {
-        text.file(scene.material.inside ? "shade/two_sided.glsl" : "shade/one_sided.glsl");
+        text.file(scene.surface.material.inside ? "shade/two_sided.glsl" : "shade/one_sided.glsl");
     }
 }
 
@@ -109,7 +109,7 @@ void add_gradient(ShaderText& text, const scene::Scene& scene, const Passes& pas
 void add_color(ShaderText& text, const scene::Scene& scene) {
     std::vector<std::string> over;
     if (has_cap_color(scene)) over.emplace_back("section/color.glsl");
-    if (scene.material.contours) over.emplace_back("effects/contours.glsl");
+    if (scene.surface.material.contours) over.emplace_back("effects/contours.glsl");
     for (std::size_t k = 0; k <= over.size(); ++k) {
         const bool is_last = k == over.size();
         std::string names = k == 0 ? "" : fmt::format("#define color_below color_{}\n", k - 1);
@@ -274,7 +274,7 @@ ShaderText begin_seen(const scene::Scene& scene, const Passes& passes) {
     std::vector<FieldFunction> functions;
     const bool paint = painting(scene) != nullptr;
     if (paint && !passes.march_takes_gradient) functions.push_back(FieldFunction::gradient);
-    if (paint || scene.material.contours) {
+    if (paint || scene.surface.material.contours) {
         add_field(text, *scene.surface.field, passes, functions, painting_functions(scene, passes));
     } else {
         text.file("math/bits.glsl");

@@ -10,7 +10,7 @@ namespace isomotion::synthesis {
 
 bool has_mirrored_rays(const scene::Scene& scene) {
     if (follows_paths(scene)) return false; // they are rays of paths
-    return scene.material.reflection == scene::Material::Reflection::self ||
+    return scene.surface.material.reflection == scene::Material::Reflection::self ||
            scene.among.mirrors != 0;
 }
 

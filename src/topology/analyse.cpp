@@ -60,7 +60,7 @@ int threads_of(const AnalyseOptions& how) {
 std::optional<Betti> on_grid(const scene::Scene& scene, const scene::SceneAt& now, Side side,
                              int grid, int threads, const SerialCallbacks& callbacks) {
     Work work([&] { return callbacks.stopped(); });
-    const auto signs = FrameSigns(*scene.surface.field, scene.timeline.animation.counts())
+    const auto signs = FrameSigns(*scene.surface.field, scene.surface.animation.counts())
                            .at(now, side, grid, threads, work);
     return signs ? std::optional(betti(*signs)) : std::nullopt;
 }
@@ -91,7 +91,7 @@ void expect_few_elements(const scene::Scene& scene, int seeds) {
     constexpr double most_operations = 1e12; // some quarter of an hour of a core
     constexpr double steps = 25;
     const double operations =
-        formula::cost(scene.surface.field->gradient, scene.timeline.animation.counts()).operations;
+        formula::cost(scene.surface.field->gradient, scene.surface.animation.counts()).operations;
     if (operations * seeds * steps <= most_operations) return;
     throw std::invalid_argument(fmt::format(
         "--certify fast follows {} seeds, and each step sums all elements, {:g} operations: take "
@@ -112,7 +112,7 @@ Timeline seeded(const scene::Scene& scene, Side side, const AnalyseOptions& how,
         scene, side, {scene.timeline.time(first), scene.timeline.time(last)}, searching);
     const auto end = [&](int frame, std::optional<Betti>& betti) {
         if (callbacks.stopped()) return;
-        const scene::SceneAt now = scene::at(scene, scene.timeline.values(frame));
+        const scene::SceneAt now = scene::at_frame(scene, frame);
         betti = on_grid(scene, now, side, grid, how.threads, callbacks);
     };
     end(first, timeline.start);
@@ -128,11 +128,10 @@ using CountSigns = std::function<std::optional<Betti>(double time, int grid)>;
 
 CountSigns signs_of(const scene::Scene& scene, Side side, const SerialCallbacks& callbacks) {
     const auto signs =
-        std::make_shared<const FrameSigns>(*scene.surface.field, scene.timeline.animation.counts());
+        std::make_shared<const FrameSigns>(*scene.surface.field, scene.surface.animation.counts());
     return [&scene, side, &callbacks, signs](double time, int grid) -> std::optional<Betti> {
         Work work([&] { return callbacks.stopped(); });
-        const auto found =
-            signs->at(scene::at(scene, scene.timeline.animation.at(time)), side, grid, 1, work);
+        const auto found = signs->at(scene::at(scene, time), side, grid, 1, work);
         return found ? std::optional(betti(*found)) : std::nullopt;
     };
 }

@@ -16,7 +16,7 @@ namespace {
 constexpr double of_vertex = 8, of_value = 150, of_value_operation = 25;
 
 double operations_of_values(const scene::Scene& scene) {
-    const animation::Animation& animation = scene.timeline.animation;
+    const animation::Animation& animation = scene.surface.animation;
     double operations = of_value_operation * animation.operations();
     for (std::size_t a = 0; a < animation.arrays().size(); ++a)
         operations += of_value_operation * animation.operations(a) + of_value * animation.values(a);
@@ -36,15 +36,14 @@ std::optional<Timeline> sampled_on(int grid, const scene::Scene& scene, Side sol
     Work at_first(sampling.stopped, 2 * most / frames), later(sampling.stopped, most);
     const double beside = operations_of_values(scene) + of_vertex * grid * grid * grid;
     if (beside * frames > most) return std::nullopt;
-    const FrameSigns signs_of(*scene.surface.field, scene.timeline.animation.counts());
+    const FrameSigns signs_of(*scene.surface.field, scene.surface.animation.counts());
     std::optional<Betti> before;
     double since = 0;
     for (int frame = first; frame <= last; ++frame) {
         Work& work = frame == first ? at_first : later;
         work.add(beside);
         if (work.is_over()) break;
-        const animation::Values values = scene.timeline.values(frame);
-        const scene::SceneAt now = scene::at(scene, values);
+        const scene::SceneAt now = scene::at_frame(scene, frame);
         const auto signs = signs_of.at(now, solid, grid, sampling.threads, work);
         if (!signs) break;
         // What some tenth of the frames took tells what all will take.
@@ -54,13 +53,13 @@ std::optional<Timeline> sampled_on(int grid, const scene::Scene& scene, Side sol
         if (before && *before != here) {
             std::array<formula::Interval, 3> where;
             for (int k = 0; k < 3; ++k)
-                where[std::size_t(k)] = {now.bounds.min[k], now.bounds.max[k]};
+                where[std::size_t(k)] = {now.surface.bounds.min[k], now.surface.bounds.max[k]};
             timeline.unresolved.push_back(
-                {{since, values.time}, where, "these two frames differ", before, here});
+                {{since, now.time}, where, "these two frames differ", before, here});
         }
         if (!before) timeline.start = here;
         timeline.end = before = here;
-        since = values.time;
+        since = now.time;
         if (sampling.progress) sampling.progress(double(done) / frames);
     }
     if (at_first.is_too_much() || later.is_too_much()) return std::nullopt;

@@ -28,7 +28,7 @@ TimelineHeader header_of(const Subject& subject, formula::Interval range,
 std::vector<std::string> why_unbounded(const Subject& subject, int frame) {
     std::vector<std::string> reasons;
     const auto look_at = [&](const scene::Scene& scene) {
-        const scene::SceneAt now = scene::at(scene, scene.timeline.values(frame));
+        const scene::SceneAt now = scene::at_frame(scene, frame);
         if (auto why = scene::why_unbounded(scene, now)) reasons.push_back(std::move(*why));
     };
     look_at(subject.first);

@@ -163,7 +163,7 @@ Tube part_of(const Tube& tube, const Piece& piece) {
 
 Sections::Sections(const scene::SceneAt& now) {
     for (const scene::SectionAt& section : now.sections) {
-        scene::SectionAt local = in_formula_coordinates(section, now.placement);
+        scene::SectionAt local = in_formula_coordinates(section, now.surface.placement);
         local.where = glm::dvec3(glm::vec3(local.where));
         local.reach = double(float(local.reach));
         all_.push_back(local);

@@ -99,7 +99,7 @@ RootFinder::RootFinder(const formula::EnclosurePrograms& field, const scene::Sce
     , directional_(OverAll(field.directional))
     , gradient_(OverAll(field.gradient))
     , jumps_(OverAll(field.jumps))
-    , bindings_(formula::convert<Interval>(scene.bindings))
+    , bindings_(formula::convert<Interval>(scene.surface.bindings))
     , may_lack_values_(field.may_lack_values)
     , budget_(budget) {}
 

@@ -97,7 +97,7 @@ FirstRoot nearest(std::span<const FirstRoot> roots, double apart) {
 RaysOfSurfaces::RaysOfSurfaces(const scene::SceneAt& now, int width, int height,
                                const scene::Aim& aim) {
     const auto add = [&](const scene::SceneAt& surface) {
-        places_.push_back(surface.placement);
+        places_.push_back(surface.surface.placement);
         tubes_.emplace_back(surface, width, height, aim);
     };
     scene::for_each_surface(now, add);

@@ -29,7 +29,7 @@ std::vector<synthesis::Channel> channels() {
 Picture certified(gpu::Context& context, const scene::Scene& scene, int frame = 1) {
     render::Renderer renderer(context, scene,
                               {scene.output.width, scene.output.height, channels(), {}});
-    return renderer.draw(scene::at(scene, scene.timeline.values(frame)));
+    return renderer.draw(scene::at_frame(scene, frame));
 }
 
 std::int64_t count(const Picture& picture, Proof proof) {
@@ -124,7 +124,7 @@ certify = true
 method = "{}"
 )",
                                                         method));
-        const scene::SceneAt now = scene::at(scene, scene.timeline.values(1));
+        const scene::SceneAt now = scene::at_frame(scene, 1);
         const auto drawn = [&](std::optional<render::MarchPlan> plan) {
             render::Renderer renderer(*context, scene, {61, 47, channels(), plan});
             return renderer.draw(now);
@@ -254,8 +254,7 @@ TEST_P(Certify, DoublesProveWhatFloatsCannot) {
         "[surface]\nuse = 'chmutov_14_power'\n[output]\nsize = [{0}, {0}]\n[isolation]\ncertify = "
         "true\n",
         side));
-    const scene::SceneAt now =
-        scene::in_formula_coordinates(scene::at(scene, scene.timeline.values(1)));
+    const scene::SceneAt now = scene::in_formula_coordinates(scene::at_frame(scene, 1));
     const auto proved_by = [&](bool doubles) {
         render::RenderOptions options{side, side, channels(), {}};
         options.proofs_in_doubles = doubles;
@@ -295,8 +294,7 @@ TEST_P(Certify, DoublesProveWhatFloatsAreNotAsked) {
     const auto proved_by = [&](bool doubles, std::optional<render::MarchPlan> plan) {
         render::RenderOptions options{larger, larger, channels(), plan};
         options.proofs_in_doubles = doubles;
-        return render::Renderer(*context, scene, options)
-            .draw(scene::at(scene, scene.timeline.values(1)));
+        return render::Renderer(*context, scene, options).draw(scene::at_frame(scene, 1));
     };
     const Picture by_floats = proved_by(false, {}), by_both = proved_by(true, {});
     const Picture in_tiles = proved_by(true, render::MarchPlan{96, 64, 500});
@@ -332,8 +330,7 @@ TEST_P(CertifyAnimation, IsNotContradictedByTruth) {
         GetParam().animation, {"look=none", "isolation.certify=true", "output.samples=1",
                                fmt::format("output.size=[{},{}]", side, side)});
     const int frame = scene.output.poster;
-    const scene::SceneAt now =
-        scene::in_formula_coordinates(scene::at(scene, scene.timeline.values(frame)));
+    const scene::SceneAt now = scene::in_formula_coordinates(scene::at_frame(scene, frame));
     const truth::Truth truth = truth::certify(scene, now, side, side);
     for (const auto backend : {gpu::Backend::egl, gpu::Backend::osmesa}) {
         const auto context = gpu::open_if_available(backend);
@@ -388,8 +385,7 @@ private:
             "[surface]\nformula = \"{}\"\nbounds = {{ sphere = 1.5 }}\n[camera]\nposition = [4, 1, "
             "2]\n[output]\nsize = [24, 24]\n[isolation]\ncertify = true\n",
             formula));
-        const scene::SceneAt now =
-            scene::in_formula_coordinates(scene::at(scene, scene.timeline.values(1)));
+        const scene::SceneAt now = scene::in_formula_coordinates(scene::at_frame(scene, 1));
         render::Renderer renderer(context, scene, {24, 24, channels(), {}});
         return compare(
             now, renderer.draw(now).frame,

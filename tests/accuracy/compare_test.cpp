@@ -33,7 +33,7 @@ struct Pixel {
 
 Errors judged(const Pixel& pixel, const truth::FirstRoot& root) {
     const scene::Scene scene = render::scene_of(one_pixel);
-    const scene::SceneAt now = scene::at(scene, scene.timeline.values(1));
+    const scene::SceneAt now = scene::at_frame(scene, 1);
     image::Frame frame;
     frame.width = frame.height = 1;
     const auto add = [&](const char* name, double value) {

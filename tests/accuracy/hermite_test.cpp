@@ -27,7 +27,7 @@ TEST_P(HermiteOfCatalogue, NoCertainPixelIsWrong) {
         const scene::Scene scene = scene::load(
             known.name, {"look=none", "output.size=[64,64]", "isolation.method=\"hermite\""});
         const int frame = scene.output.poster;
-        const scene::SceneAt now = scene::at(scene, scene.timeline.values(frame));
+        const scene::SceneAt now = scene::at_frame(scene, frame);
         const render::Picture picture = render::draw(*context, scene, frame);
         const Errors errors = compare(now, picture.frame, truth::certify(scene, now, 64, 64));
         EXPECT_LE(errors.wrong(), known.wrong);

@@ -38,8 +38,7 @@ Proved proved(const std::string& text, const std::optional<render::MarchPlan>& p
     options.channels = {Channel::normal, Channel::position, Channel::verdict, Channel::surface,
                         Channel::proof};
     render::Renderer renderer(context_of_proofs(), scene, options);
-    const scene::SceneAt now =
-        scene::in_formula_coordinates(scene::at(scene, scene.timeline.values(1)));
+    const scene::SceneAt now = scene::in_formula_coordinates(scene::at_frame(scene, 1));
     Proved found{renderer.draw(now), {}};
     const truth::Truth truth = truth::certify(scene, now, scene.output.width, scene.output.height);
     found.errors = compare(now, found.picture.frame, truth);

@@ -116,7 +116,7 @@ TEST_P(Proofs, LongSumsAreSummedToTheirEnd) {
             draw(*context, scene_of(piled_blobs(3, "1 + 0*i", output + isolation(method))));
         scene::Scene long_sum =
             scene_of(piled_blobs(4001, "max(0, min(1, i - (n - 4)))", output + isolation(method)));
-        long_sum.isolation.beam = false; // no elements by place
+        long_sum.surface.isolation.beam = false; // no elements by place
         const Picture many = draw(*context, long_sum);
         EXPECT_GT(count(few, Verdict::hit), 30);
         EXPECT_EQ(few.verdicts, many.verdicts);
@@ -155,7 +155,7 @@ TEST_P(ProofsOfCatalogue, MissNoCertainRoot) {
     const auto context = gpu::Context::create();
     const std::string text = "[surface]\nuse = \"" + GetParam() + "\"\n[output]\nsize = [96, 96]\n";
     const scene::Scene plain = scene_of(text);
-    const scene::SceneAt now = scene::at(plain, plain.timeline.values(1));
+    const scene::SceneAt now = scene::at_frame(plain, 1);
     const truth::Truth truth = truth::certify(plain, now, 96, 96);
     for (const char* method : proving) {
         SCOPED_TRACE(method);

@@ -18,7 +18,7 @@ protected:
         bool asked = false;
         truth::Certifying how;
         how.progress = [&](double) { asked = true; };
-        last_ = remembered_truth(scene, scene::at(scene, scene.timeline.values(1)), size, size, how,
+        last_ = remembered_truth(scene, scene::at_frame(scene, 1), size, size, how,
                                  folder_.path() / "truth");
         return asked;
     }

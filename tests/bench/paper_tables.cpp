@@ -70,9 +70,9 @@ Measurement measure(gpu::Context& context, const std::string& surface, const std
                     int size, int repeat) {
     scene::Scene scene = scene_of(surface, method);
     scene.output.width = scene.output.height = size;
-    const scene::SceneAt now = scene::at(scene, scene.timeline.values(1));
+    const scene::SceneAt now = scene::at_frame(scene, 1);
     Measurement found;
-    found.step = scene.isolation.step;
+    found.step = scene.surface.isolation.step;
     {
         render::Renderer counting(context, scene,
                                   {size, size, {synthesis::Channel::evaluations}, {}});

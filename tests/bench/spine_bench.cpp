@@ -69,14 +69,14 @@ void frame_time_and_memory(benchmark::State& state) {
     const auto context = gpu::Context::create();
     const scene::Scene scene = scene::load("blobby75", {"look=none", "output.size=[64,64]"});
     render::Renderer renderer(*context, scene, {64, 64, {}, {}});
-    renderer.draw(scene::at(scene, scene.timeline.values(1))); // the driver makes its code here
+    renderer.draw(scene::at_frame(scene, 1)); // the driver makes its code here
     for (auto _ : state) {
         constexpr int frames = 1000;
         std::array<double, 10> tenths{};
         double memory = 0;
         for (int k = 0; k < frames; ++k) {
             // The same 50 frames over and over: only how many came before differs.
-            const scene::SceneAt now = scene::at(scene, scene.timeline.values(1 + k % 50));
+            const scene::SceneAt now = scene::at_frame(scene, 1 + k % 50);
             tenths[std::size_t(k / 100)] += renderer.draw(now).drawing.count();
             if (k == 99) memory = resident_megabytes();
         }
@@ -107,7 +107,7 @@ void first_frame(benchmark::State& state, const scene::Scene& scene) {
     for (auto _ : state) {
         const auto begin = Clock::now();
         render::Renderer renderer(*context, scene, {32, 32, {}, {}});
-        const scene::SceneAt now = scene::at(scene, scene.timeline.values(1));
+        const scene::SceneAt now = scene::at_frame(scene, 1);
         renderer.draw(now);
         const double cold = seconds_since(begin);
         const auto again = Clock::now();

@@ -17,7 +17,7 @@ namespace {
 void row(const std::string& name, const std::string& file, int size) {
     const scene::Scene scene =
         scene::load(file, {"look=none", fmt::format("output.size=[{0}, {0}]", size)});
-    const scene::SceneAt now = scene::at(scene, scene.timeline.values(scene.output.poster));
+    const scene::SceneAt now = scene::at_frame(scene, scene.output.poster);
     const auto start = std::chrono::steady_clock::now();
     const truth::Truth truth = truth::certify(scene, now, size, size);
     const double seconds =

@@ -71,7 +71,7 @@ private:
 template<class Visit>
 void compare(const Used& surface, const std::vector<Probe>& probes, Visit&& visit) {
     const auto bindings = surface.bindings();
-    const auto on_gpu = synthesis::run_on_gpu(surface.field(), surface.at.bindings, probes);
+    const auto on_gpu = synthesis::run_on_gpu(surface.field(), surface.at.surface.bindings, probes);
     std::array<double, 3> expected{};
     for (std::size_t f = 0; f < on_gpu.size(); ++f) {
         const auto& function = synthesis::field_functions[f];
@@ -98,7 +98,8 @@ TEST_P(CatalogueGlsl, AgreesWithDoubles) {
         for (const auto& settings : both_ends(facts.name)) {
             const Used surface = used(facts.name, settings);
             const int points = surface.field().packing.empty() ? 90 : 30;
-            compare(surface, probes(surface.at.bounds, settings.empty() ? points : points / 2),
+            compare(surface,
+                    probes(surface.at.surface.bounds, settings.empty() ? points : points / 2),
                     [&](const Result& result, const Probe& at, const std::string& function) {
                         ++all;
                         if (result.is_narrow()) ++narrow;

@@ -58,7 +58,7 @@ Used used(const std::string& surface, const std::vector<Setting>& settings) {
     std::string text = fmt::format("[surface]\nuse = \"{}\"\n[parameters]\n", surface);
     for (const auto& [name, value] : settings) text += fmt::format("{} = {}\n", name, value);
     Used result{synthesis::scene_of(text), {}};
-    result.at = scene::at(result.scene, result.scene.timeline.values(1));
+    result.at = scene::at_frame(result.scene, 1);
     return result;
 }
 

@@ -34,7 +34,9 @@ struct Used {
     scene::SceneAt at; // its first frame
 
     const formula::Field& field() const { return *scene.surface.field; }
-    formula::Bindings<double> bindings() const { return formula::convert<double>(at.bindings); }
+    formula::Bindings<double> bindings() const {
+        return formula::convert<double>(at.surface.bindings);
+    }
 };
 Used used(const std::string& surface, const std::vector<Setting>& settings = {});
 

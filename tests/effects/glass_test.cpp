@@ -53,7 +53,7 @@ struct EyeRay {
 };
 EyeRay eye_ray(const scene::Scene& scene, std::size_t pixel) {
     const int width = scene.output.width, height = scene.output.height;
-    const scene::Rays rays = scene::rays(scene::at(scene, scene.timeline.values(1)), width, height);
+    const scene::Rays rays = scene::rays(scene::at_frame(scene, 1), width, height);
     const double u = 2 * (double(int(pixel) % width) + 0.5) / width - 1;
     const double v = 1 - 2 * (double(int(pixel) / width) + 0.5) / height;
     const dvec3 across = u * rays.right + v * rays.up;

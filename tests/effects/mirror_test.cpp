@@ -70,7 +70,7 @@ TEST_P(Mirror, ABallShowsTheMapWhereTheLawOfReflectionSays) {
         ball("[material]\nmodel = \"ggx\"\nmetallic = 1\ncolor = [1, 1, 1]\nroughness = 0\n"
              "reflection = \"sky\"\n"));
     scene.output.width = scene.output.height = side;
-    const scene::SceneAt now = scene::at(scene, scene.timeline.values(1));
+    const scene::SceneAt now = scene::at_frame(scene, 1);
     const Picture picture = draw(*context, scene);
     const scene::Rays rays = scene::rays(now, side, side);
     int hits = 0, sky = 0;
@@ -103,7 +103,7 @@ TEST_P(Mirror, ABallShowsTheMapWhereTheLawOfReflectionSays) {
 TEST_P(Mirror, RotationAndIntensityAreOfTheMap) {
     const Picture turned = draw(*context, scene_of(ball("rotation = 90\nintensity = 0.5\n")));
     const scene::Scene plain = scene_of(ball(""));
-    const scene::Rays rays = scene::rays(scene::at(plain, plain.timeline.values(1)), 96, 96);
+    const scene::Rays rays = scene::rays(scene::at_frame(plain, 1), 96, 96);
     for (std::size_t pixel = 0; pixel < 96 * 96; pixel += 7) {
         if (is_hit(turned, pixel)) continue;
         const double u = 2 * (double(pixel % 96) + 0.5) / 96 - 1;

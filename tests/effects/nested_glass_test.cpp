@@ -51,7 +51,7 @@ Picture drawn(const std::string& text, const std::optional<MarchPlan>& plan = {}
     options.plan = plan;
     options.stage = stage;
     Renderer renderer(context_of_nested_glass(), scene, options);
-    return renderer.draw(scene::at(scene, scene.timeline.values(1)));
+    return renderer.draw(scene::at_frame(scene, 1));
 }
 
 int surface_at(const Picture& picture, std::size_t pixel) {

@@ -32,8 +32,7 @@ Picture with_caps(const scene::Scene& scene, int frame = 1,
     options.channels.push_back(Channel::cap);
     options.stage = stage;
     Renderer renderer(context_of_sections(), scene, options);
-    return renderer.draw(
-        scene::in_formula_coordinates(scene::at(scene, scene.timeline.values(frame))));
+    return renderer.draw(scene::in_formula_coordinates(scene::at_frame(scene, frame)));
 }
 
 float value(const Picture& picture, const char* layer, std::size_t pixel) {
@@ -49,8 +48,7 @@ struct Judged {
 
 // Every pixel against truth.
 Judged judged(const scene::Scene& scene, const Picture& picture, int frame = 1) {
-    const scene::SceneAt now =
-        scene::in_formula_coordinates(scene::at(scene, scene.timeline.values(frame)));
+    const scene::SceneAt now = scene::in_formula_coordinates(scene::at_frame(scene, frame));
     const int width = scene.output.width, height = scene.output.height;
     const truth::Tubes all(now, width, height);
     std::vector<truth::Tube> tubes;
@@ -177,7 +175,7 @@ TEST(Section, StandsInTheWorld) {
     RenderOptions options{64, 64, every_channel, {}};
     options.channels.push_back(Channel::cap);
     Renderer renderer(context_of_sections(), scene, options);
-    const Picture picture = renderer.draw(scene::at(scene, scene.timeline.values(1)));
+    const Picture picture = renderer.draw(scene::at_frame(scene, 1));
     int caps = 0;
     for (std::size_t k = 0; k < 64 * 64; ++k) {
         if (value(picture, "cap", k) != 1) continue;
@@ -199,8 +197,7 @@ TEST(Section, MovesAsItsNumbersDo) {
     Renderer renderer(context_of_sections(), scene, options);
     for (const int frame : {1, 26}) {
         const Motion motion = motion_about(scene, frame);
-        const Picture picture =
-            renderer.draw(scene::at(scene, scene.timeline.values(frame)), {}, &motion);
+        const Picture picture = renderer.draw(scene::at_frame(scene, frame), {}, &motion);
         const double at = 0.6 - 0.5 * (frame - 1) / 25.0;
         int caps = 0;
         for (std::size_t k = 0; k < 64 * 64; ++k) {

@@ -267,9 +267,10 @@ public:
         tube.footprint = 8 * radius;
         tube.near = tube.near_inside = 0;
         // Beyond the bounds nothing is drawn.
-        const glm::dvec3 way = from - now_.bounds.centre;
+        const glm::dvec3 way = from - now_.surface.bounds.centre;
         const double b = glm::dot(way, direction);
-        const double c = glm::dot(way, way) - now_.bounds.radius * now_.bounds.radius;
+        const double c =
+            glm::dot(way, way) - now_.surface.bounds.radius * now_.surface.bounds.radius;
         tube.far = tube.far_inside = -b + std::sqrt(std::max(0.0, b * b - c));
         truth::FirstRoot found;
         finder_.find(std::span(&tube, 1), std::span(&found, 1));
@@ -309,8 +310,8 @@ TEST_P(CatalogueShadow, IsWhatTruthSays) {
                            fmt::format("[isolation]\nstep = {}\nmethod = \"amp-sign\"\n", step))));
     };
     const scene::Scene scene = scene_of(white(use, "direction = [0.4, -0.5, 1]", true));
-    const scene::SceneAt now = scene::at(scene, scene.timeline.values(1));
-    const Picture picture = drawn(scene.isolation.step / 2);
+    const scene::SceneAt now = scene::at_frame(scene, 1);
+    const Picture picture = drawn(scene.surface.isolation.step / 2);
     TrueShadow truth(scene, now);
     const double pixel = 2 * glm::length(scene::rays(now, 96, 96).up) / 96;
     int lit = 0, dark = 0, leaks = 0, acne = 0, open = 0;
@@ -346,7 +347,7 @@ TEST_P(CatalogueShadow, IsWhatTruthSays) {
                dark, open, acne, leaks);
     // The offset comes from the gradient and the pixel: another step is another picture only where
     // the roots are others.
-    const Picture finer = drawn(scene.isolation.step / 4);
+    const Picture finer = drawn(scene.surface.isolation.step / 4);
     EXPECT_LE(different(picture, finer, 0.03f), 96 * 96 / 200);
 }
 

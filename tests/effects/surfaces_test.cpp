@@ -38,7 +38,7 @@ Picture drawn(const scene::Scene& scene, StageChoice stage = StageChoice::fragme
     options.stage = stage;
     options.plan = plan;
     Renderer renderer(context_of_surfaces(), scene, options);
-    return renderer.draw(scene::in_formula_coordinates(scene::at(scene, scene.timeline.values(1))));
+    return renderer.draw(scene::in_formula_coordinates(scene::at_frame(scene, 1)));
 }
 
 float value(const Picture& picture, const char* layer, std::size_t pixel) {
@@ -55,8 +55,7 @@ int count_of(const Picture& picture, int surface) {
 
 // Pixels that truth says are wrong, of the place or of the surface.
 int wrong(const scene::Scene& scene, const Picture& picture) {
-    const scene::SceneAt now =
-        scene::in_formula_coordinates(scene::at(scene, scene.timeline.values(1)));
+    const scene::SceneAt now = scene::in_formula_coordinates(scene::at_frame(scene, 1));
     const int width = scene.output.width, height = scene.output.height;
     const truth::Truth truth = truth::certify(scene, now, width, height);
     const truth::Tubes tubes(now, width, height);
@@ -253,8 +252,7 @@ TEST(Surfaces, AreSeenInMirrors) {
         const scene::Scene scene = scene_of(text + look);
         const Picture picture = drawn(scene);
         const int mirror = text.starts_with(cube) ? 1 : 2;
-        const scene::SceneAt now =
-            scene::in_formula_coordinates(scene::at(scene, scene.timeline.values(1)));
+        const scene::SceneAt now = scene::in_formula_coordinates(scene::at_frame(scene, 1));
         // World coordinates less the first surface's translation.
         const glm::dvec3 first = mirror == 1 ? glm::dvec3(0, 0, -1) : glm::dvec3(0, 0, 0.5);
         int checked = 0, seen = 0;
@@ -345,18 +343,17 @@ TEST(Surfaces, SettingsChangeAlike) {
         return Renderer(context_of_surfaces(), scene, options);
     };
     const auto evaluations = [](Renderer& renderer, const scene::Scene& scene) {
-        return renderer
-            .draw(scene::in_formula_coordinates(scene::at(scene, scene.timeline.values(1))))
+        return renderer.draw(scene::in_formula_coordinates(scene::at_frame(scene, 1)))
             .evaluations();
     };
     const scene::Scene fine = scene_with(0.01, 0.02), coarse = scene_with(0.04, 0.08);
     Renderer adjusted = renderer_of(fine), anew = renderer_of(coarse);
     const auto before = evaluations(adjusted, fine);
-    adjusted.adjust(coarse.isolation);
+    adjusted.adjust(coarse.surface.isolation);
     const auto after = evaluations(adjusted, fine);
     EXPECT_LT(after, before);
     EXPECT_EQ(after, evaluations(anew, coarse));
-    adjusted.adjust(fine.isolation);
+    adjusted.adjust(fine.surface.isolation);
     EXPECT_EQ(evaluations(adjusted, fine), before);
 }
 

@@ -19,7 +19,7 @@ protected:
                             synthesis::Channel::verdict, synthesis::Channel::velocity},
                            {}});
         const Motion motion = motion_about(scene, frame);
-        return renderer.draw(scene::at(scene, scene.timeline.values(frame)), {}, &motion);
+        return renderer.draw(scene::at_frame(scene, frame), {}, &motion);
     }
     static double value(const Picture& picture, const char* layer, std::size_t pixel) {
         return double(picture.frame.find(layer)->samples[pixel]);
@@ -163,8 +163,7 @@ TEST_P(Velocity, OfSeveralIsThatOfTheSurfaceThatIsSeen) {
                             synthesis::Channel::velocity},
                            {}});
         const Motion motion = motion_about(scene, 20);
-        const Picture picture =
-            renderer.draw(scene::at(scene, scene.timeline.values(20)), {}, &motion);
+        const Picture picture = renderer.draw(scene::at_frame(scene, 20), {}, &motion);
         int seen[4]{};
         for (std::size_t pixel = 0; pixel < 65 * 65; ++pixel) {
             const int surface = int(value(picture, "surface", pixel));

@@ -11,7 +11,7 @@ void scene(std::string_view text) {
     try {
         const scene::Scene scene = scene::load_text(text, ISOMOTION_FUZZ_FOLDER "/scene.toml");
         for (const int frame : {1, 2, scene.timeline.frames}) {
-            scene::at(scene, scene.timeline.values(frame));
+            scene::at_frame(scene, frame);
         }
         synthesis::assemble(scene, {synthesis::Channel::normal, synthesis::Channel::velocity});
         synthesis::assemble(scene, {}, {synthesis::Stage::compute});

@@ -34,7 +34,7 @@ TEST_P(GalleryFrames, AreMissesAndHitsAndLoopsClose) {
         double largest_change = 0;
         image::Frame first, last;
         for (int frame = 1; frame <= frames; ++frame) {
-            const Picture picture = renderer.draw(scene::at(scene, scene.timeline.values(frame)));
+            const Picture picture = renderer.draw(scene::at_frame(scene, frame));
             EXPECT_EQ(count(picture, Verdict::nan), 0) << "frame " << frame;
             EXPECT_LE(count(picture, Verdict::step_limit), side * side / 1000) << "frame " << frame;
             most_hits = std::max(most_hits, count(picture, Verdict::hit));
@@ -54,7 +54,7 @@ TEST_P(GalleryFrames, AreMissesAndHitsAndLoopsClose) {
         // The step from the last frame to the first is one like the others, and the frame after the
         // last is the first but for rounding (a turn by a symmetry of the surface may close it).
         EXPECT_LE(difference(last, first), 1.5 * largest_change);
-        const auto after = renderer.draw(scene::at(scene, scene.timeline.values(frames + 1)));
+        const auto after = renderer.draw(scene::at_frame(scene, frames + 1));
         EXPECT_LE(difference(after.frame, first), 0.001);
     }
 }

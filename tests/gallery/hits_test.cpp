@@ -48,15 +48,15 @@ TEST_P(GalleryHits, AreTheFirstRootsThatDenseSamplingFinds) {
             scene::alone(scene::load(name, {"look=none", "output.size=[48,48]"}), 0);
         scene.sections.clear(); // truth/cut_rays_test.cpp asks of what they leave
         const int frame = scene.output.poster;
-        const scene::SceneAt now = scene::at(scene, scene.timeline.values(frame));
+        const scene::SceneAt now = scene::at_frame(scene, frame);
         const Picture picture = draw(*context, scene, frame);
-        const auto bindings = formula::convert<double>(now.bindings);
+        const auto bindings = formula::convert<double>(now.surface.bindings);
         const scene::Rays rays = scene::rays(now, side, side);
         const auto channel = [&](const char* of, std::size_t k) {
             return double(picture.frame.find(of)->samples[k]);
         };
         // Roots are told apart at this distance along a ray.
-        const double close = now.bounds.radius / 1000;
+        const double close = now.surface.bounds.radius / 1000;
         int checked = 0, false_hits = 0, missed = 0;
         for (int row = 0; row < side; ++row) {
             for (int column = 0; column < side; ++column) {
@@ -68,7 +68,8 @@ TEST_P(GalleryHits, AreTheFirstRootsThatDenseSamplingFinds) {
                 double end = s.far;
                 if (verdict == Verdict::hit || verdict == Verdict::zero_gradient) {
                     const glm::dvec3 p(channel("P.X", k), channel("P.Y", k), channel("P.Z", k));
-                    const double t = glm::dot(now.placement.to_local(p) - s.anchor, s.direction);
+                    const double t =
+                        glm::dot(now.surface.placement.to_local(p) - s.anchor, s.direction);
                     if (!changes_sign(samples(scene, bindings, s, t - close, t + close, 33))) {
                         ++false_hits;
                     }

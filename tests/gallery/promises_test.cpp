@@ -33,14 +33,15 @@ TEST(Promises, EveryAnimationLastsTwoToSixSeconds) {
 TEST(Promises, TheSurfaceItselfMoves) {
     for (const std::string& name : animation_names()) {
         const Scene scene = load(name);
-        const SceneAt first = at(scene, scene.timeline.values(1));
+        const SceneAt first = at_frame(scene, 1);
         bool moves = false;
         for (int frame = 2; frame <= scene.timeline.frames && !moves; ++frame) {
-            const SceneAt now = at(scene, scene.timeline.values(frame));
-            moves = now.bindings.parameters != first.bindings.parameters ||
+            const SceneAt now = at_frame(scene, frame);
+            moves = now.surface.bindings.parameters != first.surface.bindings.parameters ||
                     scene::packed(now.sections) != scene::packed(first.sections);
-            for (std::size_t a = 0; a < now.bindings.arrays.size(); ++a) {
-                moves = moves || now.bindings.arrays[a].fields != first.bindings.arrays[a].fields;
+            for (std::size_t a = 0; a < now.surface.bindings.arrays.size(); ++a) {
+                moves = moves || now.surface.bindings.arrays[a].fields !=
+                                     first.surface.bindings.arrays[a].fields;
             }
         }
         EXPECT_TRUE(moves) << name;
@@ -51,11 +52,11 @@ TEST(Promises, ParametersStayInTheSurfacesRanges) {
     for (const std::string& name : animation_names()) {
         const Scene scene = load(name);
         for (int frame = 1; frame <= scene.timeline.frames; ++frame) {
-            const auto values = scene.timeline.values(frame).tracks;
+            const auto values = scene.surface.animation.at(scene.timeline.time(frame)).tracks;
             for (std::size_t k = 0; k < scene.surface.ranges.size(); ++k) {
                 ASSERT_TRUE(scene.surface.ranges[k].contains(values[k]))
                     << name << " frame " << frame << ": "
-                    << scene.timeline.animation.tracks()[k].name << " = " << values[k];
+                    << scene.surface.animation.tracks()[k].name << " = " << values[k];
             }
         }
     }
@@ -86,14 +87,14 @@ TEST(Promises, SurfacesOfOneColourStayInTheirBounds) {
     int whole = 0;
     for (const std::string& name : animation_names()) {
         const Scene scene = load(name);
-        if (scene.material.inside || !scene.sections.empty()) continue;
+        if (scene.surface.material.inside || !scene.sections.empty()) continue;
         ++whole;
         formula::FieldEvaluator<double> field(*scene.surface.field);
         for (int frame = 1; frame <= scene.timeline.frames; frame += 3) {
-            const SceneAt now = at(scene, scene.timeline.values(frame));
-            const auto bindings = formula::convert<double>(now.bindings);
+            const SceneAt now = at_frame(scene, frame);
+            const auto bindings = formula::convert<double>(now.surface.bindings);
             int negative = 0, positive = 0;
-            for (const glm::dvec3& p : boundary(now.bounds, 500)) {
+            for (const glm::dvec3& p : boundary(now.surface.bounds, 500)) {
                 const double f = field.value(bindings, {p.x, p.y, p.z});
                 negative += f < 0;
                 positive += f > 0;

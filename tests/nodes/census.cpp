@@ -31,7 +31,7 @@ std::uint64_t census_seed() {
 
 Census census_of(const std::string& surface, const std::vector<scene::Override>& settings) {
     const scene::Scene scene = scene_of("[surface]\n" + surface + "\n", settings);
-    const std::vector<double> tracks = scene.timeline.values(1).tracks;
+    const std::vector<double> tracks = scene.surface.animation.at(scene.timeline.time(1)).tracks;
     formula::Bindings<double> bindings;
     bindings.parameters.assign(tracks.begin(), tracks.begin() + scene.surface.parameters);
     Effort effort;

@@ -46,7 +46,7 @@ protected:
         options.stage = stage;
         options.branches = branches;
         Renderer renderer(*context, scene, options);
-        return renderer.draw(scene::at(scene, scene.timeline.values(1)));
+        return renderer.draw(scene::at_frame(scene, 1));
     }
 
     // To the bit where a processor draws; a card's compiler may round two texts differently.

@@ -34,7 +34,7 @@ inline Picture draw(gpu::Context& context, const scene::Scene& scene, int frame 
                     std::optional<MarchPlan> plan = {}) {
     Renderer renderer(context, scene,
                       {scene.output.width, scene.output.height, every_channel, plan});
-    return renderer.draw(scene::at(scene, scene.timeline.values(frame)));
+    return renderer.draw(scene::at_frame(scene, frame));
 }
 
 inline std::int64_t count(const Picture& picture, Verdict verdict) {

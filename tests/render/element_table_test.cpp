@@ -36,9 +36,7 @@ ISOMOTION_ON_EVERY_BACKEND(DrawnElements);
 TEST_P(DrawnElements, AreThoseOfTheFrame) {
     const scene::Scene scene = spheres("frame,cy,cz\n1,-1,0\n2,-1,0\n2,1,0\n2,0,1\n3,,\n4,1,1\n");
     Renderer renderer(*context, scene, {80, 80, every_channel, {}});
-    const auto draw_frame = [&](int frame) {
-        return renderer.draw(scene::at(scene, scene.timeline.values(frame)));
-    };
+    const auto draw_frame = [&](int frame) { return renderer.draw(scene::at_frame(scene, frame)); };
     const auto hits = [&](int frame) { return count(draw_frame(frame), Verdict::hit); };
     const std::int64_t one = hits(1);
     EXPECT_NEAR(double(one), M_PI * 6 * 6, 12); // a disc of six pixels' radius
@@ -48,8 +46,7 @@ TEST_P(DrawnElements, AreThoseOfTheFrame) {
     EXPECT_NEAR(double(hits(4)), double(one), 6);
     // Frame 4 alone is frame 4 after the others: nothing of them is left in the buffers.
     Renderer fresh(*context, scene, {80, 80, every_channel, {}});
-    EXPECT_TRUE(same_bits(fresh.draw(scene::at(scene, scene.timeline.values(4))).frame,
-                          draw_frame(4).frame));
+    EXPECT_TRUE(same_bits(fresh.draw(scene::at_frame(scene, 4)).frame, draw_frame(4).frame));
 }
 
 TEST_P(DrawnElements, AChangedFileIsAnotherPicture) {

@@ -219,7 +219,7 @@ TEST_P(Exposure, TheFingerprintIsOfAllThePictures) {
 TEST_P(Exposure, AValueThatLeavesItsRangeInTheShuttersTimeIsAMistake) {
     const scene::Scene scene =
         scene_of(flat("x^2 + y^2 + z^2 - 1", "zoom = \"0.05 - t\"\nshutter = 1"));
-    EXPECT_NO_THROW(scene::at(scene, scene.timeline.values(1)));
+    EXPECT_NO_THROW(scene::at_frame(scene, 1));
     EXPECT_THROW(check_exposure(scene, 1), scene::SceneError);
     EXPECT_THROW(exposed(scene), scene::SceneError);
 }

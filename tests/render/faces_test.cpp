@@ -74,7 +74,7 @@ size = [61, 47]
             Renderer renderer(*context, drawn,
                               {drawn.output.width, drawn.output.height, every_channel, {}});
             const auto picture = [&](int frame) {
-                return renderer.draw(scene::at(drawn, drawn.timeline.values(frame)));
+                return renderer.draw(scene::at_frame(drawn, frame));
             };
             for (int frame = 1; frame < drawn.timeline.frames; frame += 2) {
                 SCOPED_TRACE(fmt::format("box of {}, frame {}", half, frame));

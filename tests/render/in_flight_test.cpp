@@ -17,7 +17,7 @@ protected:
         return scene::load(name, {"look=none", "output.size=[61,43]"});
     }
     static scene::SceneAt at(const scene::Scene& scene, int frame) {
-        return scene::at(scene, scene.timeline.values(frame));
+        return scene::at_frame(scene, frame);
     }
     Renderer renderer_of(const scene::Scene& scene, std::optional<MarchPlan> plan = {}) {
         RenderOptions options;
@@ -143,8 +143,8 @@ TEST_P(InFlight, RenderersOfOneContextKeepTheirSurroundings) {
         "reflection = 'self'\n";
     const scene::Scene scene = render::scene_of(text);
     scene::Scene other = scene;
-    other.isolation.method = scene::Method::amp_sign;
-    other.isolation.step = 0.05;
+    other.surface.isolation.method = scene::Method::amp_sign;
+    other.surface.isolation.step = 0.05;
     Renderer first(*context, scene, {40, 30, {}, {}});
     const Picture before = first.draw(at(scene, 1));
     {

@@ -77,7 +77,7 @@ TEST_P(OneDraw, IsThePictureOfPassesForSums) {
 TEST_P(OneDraw, TheNextFrameIsTheSameByEither) {
     // With a uniform of its own: the colour of the other side.
     const scene::Scene scene = scene::load("barth_sextic", {"look=none", "output.size=[40,30]"});
-    const auto now = [&](int frame) { return scene::at(scene, scene.timeline.values(frame)); };
+    const auto now = [&](int frame) { return scene::at_frame(scene, frame); };
     Renderer renderer(*context, scene, {40, 30, every_channel, MarchPlan{40, 30, 4}});
     const Picture first = renderer.draw(now(1)), again = renderer.draw(now(1));
     EXPECT_GT(again.passes, 1);
@@ -99,7 +99,7 @@ TEST_P(OneDraw, IsReadBackTheSameAtOnceAndInParts) {
                 if (tiles) options.plan = MarchPlan{128, 64, 60'000};
                 options.reads_at_once = at_once;
                 Renderer renderer(*context, scene, options);
-                return renderer.draw(scene::at(scene, scene.timeline.values(2)));
+                return renderer.draw(scene::at_frame(scene, 2));
             };
             const Picture at_once = read(true), in_parts = read(false);
             EXPECT_GT(count(at_once, Verdict::hit), 1000);

@@ -157,7 +157,7 @@ TEST_P(PaintedPictures, CurvaturesAreThoseInDouble) {
             formula::Evaluator<double> evaluate_second(second);
             formula::FieldEvaluator<double> evaluate(field);
             const auto bindings =
-                formula::convert<double>(scene::at(scene, scene.timeline.values(1)).bindings);
+                formula::convert<double>(scene::at_frame(scene, 1).surface.bindings);
             const auto u = [&](const Pixel& pixel) {
                 const std::array<double, 3> p{pixel.position.x, pixel.position.y, pixel.position.z};
                 std::array<double, 6> hessian{};

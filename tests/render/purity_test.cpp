@@ -33,7 +33,7 @@ TEST_P(Purity, FramesDoNotDependOnWhatWasDrawnBefore) {
         scene::load("twisting_superquadric", {"look=none", "output.size=[64,64]"});
     Renderer renderer(*context, scene, {64, 64, every_channel, {}});
     const auto frame = [&](int number) {
-        return renderer.draw(scene::at(scene, scene.timeline.values(number))).frame;
+        return renderer.draw(scene::at_frame(scene, number)).frame;
     };
     const image::Frame alone = frame(57);
     for (const int number : {1, 120, 56}) frame(number);
@@ -73,7 +73,7 @@ size = [104, 80]
                 Renderer renderer(*context, scene, {104, 80, every_channel, plan});
                 for (int number = 1; number <= 40; number += 3) {
                     SCOPED_TRACE(number);
-                    const scene::SceneAt now = scene::at(scene, scene.timeline.values(number));
+                    const scene::SceneAt now = scene::at_frame(scene, number);
                     const Picture after = renderer.draw(now);
                     const Picture alone = draw(*context, scene, number, plan);
                     EXPECT_TRUE(same_bits(after.frame, alone.frame));
@@ -93,8 +93,8 @@ TEST_P(Purity, TwoRenderersTakeTurns) {
     Renderer first(*context, a, {48, 48, every_channel, {}});
     Renderer second(*context, b, {48, 32, every_channel, {}});
     for (int turn = 0; turn < 2; ++turn) {
-        EXPECT_TRUE(same_bits(only_a, first.draw(scene::at(a, a.timeline.values(20))).frame));
-        EXPECT_TRUE(same_bits(only_b, second.draw(scene::at(b, b.timeline.values(20))).frame));
+        EXPECT_TRUE(same_bits(only_a, first.draw(scene::at_frame(a, 20)).frame));
+        EXPECT_TRUE(same_bits(only_b, second.draw(scene::at_frame(b, 20)).frame));
     }
 }
 

@@ -30,7 +30,7 @@ protected:
 private:
     Picture draw(const scene::Scene& scene, const RenderOptions& options) {
         Renderer renderer(*context, scene, options);
-        return renderer.draw(scene::at(scene, scene.timeline.values(1)));
+        return renderer.draw(scene::at_frame(scene, 1));
     }
 };
 ISOMOTION_ON_EVERY_BACKEND(RayClockOf);

@@ -11,7 +11,7 @@ Picture drawn_small_tiled(gpu::Context& context, const scene::Scene& scene, int 
     RenderOptions options{128, 128, every_channel, {}};
     options.pixels = std::int64_t(scene.output.width) * scene.output.height;
     Renderer renderer(context, scene, options);
-    const scene::SceneAt now = scene::at(scene, scene.timeline.values(frame));
+    const scene::SceneAt now = scene::at_frame(scene, frame);
     renderer.resize(40, 30);
     renderer.draw(now);
     renderer.resize(scene.output.width, scene.output.height);
@@ -43,14 +43,14 @@ TEST_P(Resize, AdjustedSettingsAreTheScenesOwn) {
     const std::string method = "isolation.method=\"amp-sign\"";
     const scene::Scene coarse = scene_of(sphere_scene, {method, "isolation.step=0.5"});
     const scene::Scene fine = scene_of(sphere_scene, {method, "isolation.step=0.01"});
-    const scene::SceneAt now = scene::at(coarse, coarse.timeline.values(1));
+    const scene::SceneAt now = scene::at_frame(coarse, 1);
     Renderer renderer(*context, coarse, {160, 120, every_channel, {}});
     const Picture before = renderer.draw(now);
-    renderer.adjust(fine.isolation);
+    renderer.adjust(fine.surface.isolation);
     const Picture after = renderer.draw(now);
     EXPECT_GT(after.evaluations(), 4 * before.evaluations());
     EXPECT_TRUE(same_bits(after.frame, draw(*context, fine).frame));
-    scene::Isolation other = fine.isolation;
+    scene::Isolation other = fine.surface.isolation;
     other.method = scene::Method::marching;
     EXPECT_THROW(renderer.adjust(other), std::invalid_argument);
 }
@@ -63,7 +63,7 @@ TEST_P(Resize, APictureThatIsGivenUpLeavesTheRendererWhole) {
     options.stop = [&] { return ++tiles > 2 && stops; };
     Renderer renderer(*context, scene, options);
     renderer.resize(scene.output.width, scene.output.height);
-    const scene::SceneAt now = scene::at(scene, scene.timeline.values(1));
+    const scene::SceneAt now = scene::at_frame(scene, 1);
     EXPECT_THROW(renderer.draw(now), Stopped);
     EXPECT_EQ(tiles, 3);
     stops = false;

@@ -22,9 +22,9 @@ protected:
     }
 
     Pictures pictures(scene::Scene scene) {
-        scene.isolation.method = scene::Method::hermite;
+        scene.surface.isolation.method = scene::Method::hermite;
         const auto drawn = [&](bool beam) {
-            scene.isolation.beam = beam;
+            scene.surface.isolation.beam = beam;
             return draw(*context, scene);
         };
         Pictures both{drawn(false), drawn(true)};
@@ -135,7 +135,7 @@ size = [{}, {}]
                                                     frames, formula, parameters, side, side));
     Renderer renderer(*context, scene, {side, side, every_channel, {}});
     for (int frame = 1; frame <= frames; ++frame) {
-        const scene::SceneAt now = scene::at(scene, scene.timeline.values(frame));
+        const scene::SceneAt now = scene::at_frame(scene, frame);
         const Picture picture = renderer.draw(now);
         const auto& x = picture.frame.find("P.X")->samples;
         const auto& y = picture.frame.find("P.Y")->samples;
@@ -143,7 +143,7 @@ size = [{}, {}]
         for (std::size_t k = 0; k < x.size(); ++k) {
             double first = -2;
             for (std::size_t plane = 0; plane < 5; ++plane) {
-                const float* abc = now.bindings.parameters.data() + plane; // by name
+                const float* abc = now.surface.bindings.parameters.data() + plane; // by name
                 first = std::max(first, double(abc[0]) + double(abc[5]) * double(y[k]) +
                                             double(abc[10]) * double(z[k]));
             }
@@ -190,7 +190,7 @@ size = [128, 128]
         std::vector<synthesis::Channel> channels = every_channel;
         channels.push_back(synthesis::Channel::proof);
         Renderer renderer(*context, scene, {128, 128, channels, {}});
-        const Picture picture = renderer.draw(scene::at(scene, scene.timeline.values(1)));
+        const Picture picture = renderer.draw(scene::at_frame(scene, 1));
         const auto& verdict = picture.frame.find("verdict")->samples;
         const auto& proof = picture.frame.find("proof")->samples;
         gave_up += count(picture, Verdict::step_limit);

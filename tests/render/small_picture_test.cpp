@@ -92,7 +92,7 @@ protected:
         Renderer renderer(*context, scene, options);
         EXPECT_EQ(renderer.plan().spreads_small_pictures, spreads && context->info().software);
         renderer.resize(size.x, size.y);
-        return renderer.draw(scene::at(scene, scene.timeline.values(1)));
+        return renderer.draw(scene::at_frame(scene, 1));
     }
 };
 ISOMOTION_ON_EVERY_BACKEND(SmallPicture);

@@ -25,11 +25,11 @@ protected:
     // Draws with beams in both stages or in none: compute shaders have fewer by themselves.
     Picture draw_by(StageChoice stage, scene::Scene scene, int frame,
                     std::optional<MarchPlan> plan = {}) {
-        scene.isolation.beam = synthesis::uses_beams(scene);
+        scene.surface.isolation.beam = synthesis::uses_beams(scene);
         RenderOptions options{scene.output.width, scene.output.height, every_channel, plan};
         options.stage = stage;
         Renderer renderer(*context, scene, options);
-        return renderer.draw(scene::at(scene, scene.timeline.values(frame)));
+        return renderer.draw(scene::at_frame(scene, frame));
     }
 
     // Fragments march and shade in one draw, compute shaders only march: two programs, in which a
@@ -68,7 +68,7 @@ TEST_P(StageOf, ComputeShadersWithoutBeamsHitTheSame) {
             RenderOptions options{183, 129, every_channel};
             options.stage = stage;
             Renderer renderer(*context, scene, options);
-            return renderer.draw(scene::at(scene, scene.timeline.values(31)));
+            return renderer.draw(scene::at_frame(scene, 31));
         };
         const Picture fragment = drawn(StageChoice::fragment),
                       compute = drawn(StageChoice::compute);
@@ -96,7 +96,7 @@ TEST_P(StageOf, ComputeShadersSettleBlocksOfLargePictures) {
             RenderOptions options{1500, 1400, {synthesis::Channel::depth}, plan};
             options.stage = stage;
             Renderer renderer(*context, scene, options);
-            return renderer.draw(scene::at(scene, scene.timeline.values(31)));
+            return renderer.draw(scene::at_frame(scene, 31));
         };
         const std::optional<MarchPlan> tiles = MarchPlan{700, 500, 4};
         const Picture fragment = drawn(StageChoice::fragment, {});

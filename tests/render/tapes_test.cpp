@@ -102,7 +102,7 @@ TEST_P(Tapes, ProofsRunThem) {
         scene_text("max(x^2 + y^2 + z^2 - 1, abs(x) - 0.5)", "isolation.certify = true\n"));
     const RunEach run;
     Renderer renderer(*context, scene, {48, 48, {synthesis::Channel::proof}});
-    const Picture picture = renderer.draw(scene::at(scene, scene.timeline.values(1)));
+    const Picture picture = renderer.draw(scene::at_frame(scene, 1));
     EXPECT_GT(proved_part(picture.proofs), 0.9) << summary(picture.proofs);
 }
 

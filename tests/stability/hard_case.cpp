@@ -85,8 +85,8 @@ const truth::Truth& truth_of(const std::string& text, const scene::Scene& scene)
     static std::map<std::string, truth::Truth> known;
     const auto [at, is_new] = known.try_emplace(text);
     if (is_new) {
-        at->second = truth::certify(scene, scene::at(scene, scene.timeline.values(1)),
-                                    scene.output.width, scene.output.height);
+        at->second = truth::certify(scene, scene::at_frame(scene, 1), scene.output.width,
+                                    scene.output.height);
     }
     return at->second;
 }
@@ -101,15 +101,15 @@ constexpr scene::Method by_default = scene::Isolation{}.method;
 // F times 2^k, as a scene with that formula is loaded.
 scene::Scene of_other_values(scene::Scene scene, int k) {
     const auto field = formula::scaled(*scene.surface.field, std::ldexp(1.0, k));
-    const double scale = scene::field_scale(field, scene::at(scene, scene.timeline.values(1)));
+    const double scale = scene::field_scale(field, scene::at_frame(scene, 1));
     scene.surface.field = std::make_shared<formula::Field>(formula::scaled(field, scale));
     return scene;
 }
 
 // The scene so many times as large, and its camera with it.
 scene::SceneAt of_other_size(scene::SceneAt now, double scale) {
-    now.placement.translate *= scale;
-    now.placement.scale *= scale;
+    now.surface.placement.translate *= scale;
+    now.surface.placement.scale *= scale;
     now.camera.position *= scale;
     now.camera.target *= scale;
     now.camera.height *= scale;
@@ -149,7 +149,7 @@ void expect_any_size(const HardCase& a_case, const render::Picture& drawn) {
                               {.width = scene.output.width,
                                .height = scene.output.height,
                                .channels = render::every_channel});
-    const scene::SceneAt now = scene::at(scene, scene.timeline.values(1));
+    const scene::SceneAt now = scene::at_frame(scene, 1);
     for (const double scale : {1e-3, 1e3}) {
         const render::Picture sized = renderer.draw(of_other_size(now, scale));
         EXPECT_LE(different_verdicts(drawn.frame, sized.frame), 2) << "scene of " << scale;
@@ -169,13 +169,12 @@ Looked look(const HardCase& a_case, scene::Method method) {
     const std::string& certain = a_case.truth.empty() ? a_case.scene : a_case.truth;
     const scene::Scene easy = scene_of(certain);
     scene::Scene hard = scene_of(a_case.scene);
-    hard.isolation.method = method;
+    hard.surface.isolation.method = method;
 
     Looked looked;
     looked.picture = render::draw(context(), hard);
     const truth::Truth& truth = truth_of(certain, easy);
-    looked.errors =
-        accuracy::compare(scene::at(easy, easy.timeline.values(1)), looked.picture.frame, truth);
+    looked.errors = accuracy::compare(scene::at_frame(easy, 1), looked.picture.frame, truth);
     looked.certain_hits = truth.counts()[std::size_t(truth::Answer::hit)];
     looked.zero_gradients = render::count(looked.picture, render::Verdict::zero_gradient);
     looked.hits = render::count(looked.picture, render::Verdict::hit) + looked.zero_gradients;

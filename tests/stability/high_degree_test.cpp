@@ -48,16 +48,16 @@ std::string term(int n, Form form, const std::string& x) {
 // An eighth of the paper's step, so that what is wrong comes from rounding.
 std::string chmutov(int n, Form form) {
     const scene::Scene from = render::scene_of(surface(fmt::format("chmutov_{}", n)));
-    const scene::Isolation& isolation = from.isolation;
-    const scene::SceneAt now = scene::at(from, from.timeline.values(1));
+    const scene::Isolation& isolation = from.surface.isolation;
+    const scene::SceneAt now = scene::at_frame(from, 1);
     return fmt::format("[surface]\nformula = \"{} + {} + {} + c\"\nbounds = {{ box = [[{}, {}, "
                        "{}], [{}, {}, {}]] }}\n"
                        "[parameters]\nc = 0\n"
                        "[isolation]\nstep = {}\nnear = {}\nfar = {}\nhorizon = {}\n",
-                       term(n, form, "x"), term(n, form, "y"), term(n, form, "z"), now.bounds.min.x,
-                       now.bounds.min.y, now.bounds.min.z, now.bounds.max.x, now.bounds.max.y,
-                       now.bounds.max.z, isolation.step / 8, isolation.near, isolation.far,
-                       isolation.horizon);
+                       term(n, form, "x"), term(n, form, "y"), term(n, form, "z"),
+                       now.surface.bounds.min.x, now.surface.bounds.min.y, now.surface.bounds.min.z,
+                       now.surface.bounds.max.x, now.surface.bounds.max.y, now.surface.bounds.max.z,
+                       isolation.step / 8, isolation.near, isolation.far, isolation.horizon);
 }
 
 struct HighDegree {

@@ -22,8 +22,8 @@ int different(const render::Picture& a, const render::Picture& b) {
 // The scene scaled and moved, and its camera, ground and sections, which lie in the world, with it.
 scene::SceneAt moved(scene::SceneAt now, double scale, const glm::dvec3& by) {
     const auto place = [&](const glm::dvec3& p) { return by + scale * p; };
-    now.placement.translate = place(now.placement.translate);
-    now.placement.scale *= scale;
+    now.surface.placement.translate = place(now.surface.placement.translate);
+    now.surface.placement.scale *= scale;
     now.camera.position = place(now.camera.position);
     now.camera.target = place(now.camera.target);
     now.camera.height *= scale;
@@ -36,8 +36,8 @@ scene::SceneAt moved(scene::SceneAt now, double scale, const glm::dvec3& by) {
             section.reach += dot(section.where, by);
     }
     for (scene::SceneAt& other : now.others) {
-        other.placement.translate = place(other.placement.translate);
-        other.placement.scale *= scale;
+        other.surface.placement.translate = place(other.surface.placement.translate);
+        other.surface.placement.scale *= scale;
         scene::share(now, other);
     }
     return now;
@@ -51,7 +51,7 @@ TEST_P(Placed, GivesTheSameVerdicts) {
                     {"look=none", "output.size=[64, 64]"});
     const auto context = gpu::Context::create();
     render::Renderer renderer(*context, scene, {64, 64, {synthesis::Channel::verdict}, {}});
-    const scene::SceneAt now = scene::at(scene, scene.timeline.values(scene.output.poster));
+    const scene::SceneAt now = scene::at_frame(scene, scene.output.poster);
     const render::Picture unit = renderer.draw(now);
     EXPECT_GT(render::count(unit, render::Verdict::hit), 200);
     for (const double scale : {1e-3, 1.0, 1e3, 1e6}) {

@@ -57,10 +57,10 @@ struct StillScene {
 
     StillScene(const scene::Scene& scene, double time)
         : field(scene.surface.field) {
-        const scene::SceneAt now = scene::at(scene, scene.timeline.animation.at(time));
-        numbers = formula::convert<double>(now.bindings);
+        const scene::SceneAt now = scene::at(scene, time);
+        numbers = formula::convert<double>(now.surface.bindings);
         intervals = formula::convert<formula::Interval>(numbers);
-        bounds = now.bounds;
+        bounds = now.surface.bounds;
     }
 
     SpaceFormula formula(Side solid) const { return space_formula(*field, intervals, solid); }

@@ -23,7 +23,7 @@ fov = 50
 
 struct Subject {
     scene::Scene scene = scene_of(text);
-    scene::SceneAt now = scene::at(scene, scene.timeline.values(1));
+    scene::SceneAt now = scene::at_frame(scene, 1);
 
     Truth certified(const Certifying& how = {}) const {
         return certify(scene, now, width, height, how);
@@ -114,7 +114,7 @@ TEST(Certify, CountsEvaluations) {
     // Rays that pass the bounds by cost nothing.
     const scene::Scene aside = scene_of("[surface]\nformula = 'x'\nbounds = { sphere = 1 }\n"
                                         "[camera]\nposition = [0, 0, 9]\ntarget = [0, 9, 9]\n");
-    EXPECT_EQ(certify(aside, scene::at(aside, aside.timeline.values(1)), 8, 8).evaluations, 0);
+    EXPECT_EQ(certify(aside, scene::at_frame(aside, 1), 8, 8).evaluations, 0);
 }
 
 TEST(Certify, KeepsToItsBudgetWithoutAGuess) {

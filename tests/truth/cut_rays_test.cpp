@@ -50,7 +50,7 @@ Tally check(const std::string& sections, const std::string& camera, int side = 3
     const scene::Scene scene = scene_of(
         "[surface]\nformula = 'x^2 + y^2 + z^2 - 1'\nbounds = { sphere = 1.5 }\n[camera]\n" +
         camera + "\n" + sections);
-    const scene::SceneAt now = scene::at(scene, scene.timeline.values(1));
+    const scene::SceneAt now = scene::at_frame(scene, 1);
     const Tubes all(now, side, side);
     std::vector<Tube> tubes;
     for (int pixel = 0; pixel < side * side; ++pixel)

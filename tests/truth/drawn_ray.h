@@ -87,11 +87,11 @@ struct Uniforms {
         right = rays.right;
         up = rays.up;
         parallel = rays.parallel ? 0.0f : 1.0f;
-        shape = now.bounds.shape;
-        min = now.bounds.min;
-        max = now.bounds.max;
-        centre = now.bounds.centre;
-        radius = float(now.bounds.radius);
+        shape = now.surface.bounds.shape;
+        min = now.surface.bounds.min;
+        max = now.surface.bounds.max;
+        centre = now.surface.bounds.centre;
+        radius = float(now.surface.bounds.radius);
         picture = {float(2.0 / width), float(2.0 / height)};
     }
 };

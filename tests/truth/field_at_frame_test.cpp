@@ -67,7 +67,7 @@ TEST(EnclosedField, OfTenThousandElementsIsAsGood) {
     const std::string text =
         scene_text("0.3 - sum(p, max(0, 1 - " + distance + "/0.002)^3)", 10000);
     const scene::Scene scene = scene_of(text);
-    const scene::SceneAt now = scene::at(scene, scene.timeline.values(1));
+    const scene::SceneAt now = scene::at_frame(scene, 1);
     const Truth truth = certify(scene, now, 16, 16);
     const auto counts = truth.counts();
     EXPECT_GT(counts[std::size_t(Answer::hit)], 40);

@@ -84,7 +84,7 @@ std::array<int, 4> attack(unsigned seed) {
     const formula::Program program =
         formula::schedule_lowered(graph, formula::with_gaps(graph, field.root));
     formula::Evaluator<double> evaluator(program);
-    const auto bindings = formula::convert<double>(view.now.bindings);
+    const auto bindings = formula::convert<double>(view.now.surface.bindings);
     std::array<int, 4> answers{};
     for (std::size_t k = 0; k < view.tubes.size(); ++k) {
         const Tube& tube = view.tubes[k];

@@ -36,7 +36,7 @@ struct View {
 
     View(scene::Scene of, int columns, int rows, Budget budget = {}, int frame = 1)
         : scene(std::move(of))
-        , now(scene::at(scene, scene.timeline.values(frame)))
+        , now(scene::at_frame(scene, frame))
         , width(columns)
         , height(rows) {
         const Tubes all(now, width, height);

@@ -35,11 +35,11 @@ struct Counts {
 class Rays {
 public:
     Rays(const scene::Scene& scene, Counts& counts)
-        : now_(scene::at(scene, scene.timeline.values(1)))
+        : now_(scene::at_frame(scene, 1))
         , programs_(formula::enclosure_programs(*scene.surface.field))
         , value_(programs_.value)
-        , bindings_(formula::convert<double>(now_.bindings))
-        , balls_(programs_, now_.bindings)
+        , bindings_(formula::convert<double>(now_.surface.bindings))
+        , balls_(programs_, now_.surface.bindings)
         , finder_(programs_, now_, {.evaluations = 4000})
         , tubes_(now_, side * finer, side * finer)
         , counts_(counts) {}

@@ -38,7 +38,7 @@ inline catalogue::Used scene_named(const std::string& name) {
     }
     catalogue::use_source_tree();
     catalogue::Used result{scene::load((animations() / (name + ".toml")).string()), {}};
-    result.at = scene::at(result.scene, result.scene.timeline.values(1));
+    result.at = scene::at_frame(result.scene, 1);
     return result;
 }
 

@@ -77,7 +77,7 @@ protected:
     CertifiedRays()
         : scene(scene_named(GetParam()))
         , programs(formula::enclosure_programs(scene.field()))
-        , rays(programs, scene.at.bindings)
+        , rays(programs, scene.at.surface.bindings)
         , finder(programs, scene.at)
         , patient_finder(programs, scene.at, {.narrow = 0x1p-30, .narrowest = 0x1p-30}) {}
 

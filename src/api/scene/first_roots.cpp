@@ -46,9 +46,8 @@ std::vector<FirstRoot> first_roots(const Scene& scene, int frame, int width, int
             if (watcher.stop && watcher.stop()) api::throw_stopped();
             if (watcher.progress) watcher.progress("first roots", part);
         };
-        const truth::Truth truth =
-            truth::certify(all, scene::at(all, all.timeline.values(api::checked_frame(frame))),
-                           width, height, how);
+        const truth::Truth truth = truth::certify(
+            all, scene::at_frame(all, api::checked_frame(frame)), width, height, how);
         std::vector<FirstRoot> roots;
         roots.reserve(truth.roots.size());
         for (const truth::FirstRoot& found : truth.roots) roots.push_back(root_of(found));

@@ -92,10 +92,11 @@ std::vector<std::string> Scene::surfaces() const { return scene::surface_names(p
 std::map<std::string, double> Scene::parameters(int frame, const std::string& surface) const {
     return with_errors([&] {
         const scene::Scene& one = surface_of(parts_->scene, surface);
-        const animation::Values values = one.timeline.values(api::checked_frame(frame));
-        const auto& tracks = one.timeline.animation.tracks();
+        const animation::Values values =
+            one.surface.animation.at(one.timeline.time(api::checked_frame(frame)));
+        const auto& tracks = one.surface.animation.tracks();
         std::map<std::string, double> parameters;
-        for (std::size_t k = 0; k < one.timeline.animation.nameable(); ++k)
+        for (std::size_t k = 0; k < one.surface.animation.nameable(); ++k)
             parameters[tracks[k].name] = values.tracks[k];
         return parameters;
     });

@@ -169,7 +169,7 @@ private:
         shown.compiled = true;
         thread_.say_compiling(true);
         scene::Scene scene = *request.scene;
-        scene.isolation = isolation;
+        scene.surface.isolation = isolation;
         Kept made{.scene = request.scene,
                   .isolation = isolation,
                   .channels = channels,

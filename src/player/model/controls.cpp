@@ -53,8 +53,9 @@ void multiply(Array& array, ArrayField& field, double factor) {
     }
 }
 
-// The times that a timeline is looked at: frames from first to last, and every key between.
-std::vector<double> times_of(const animation::Timeline& timeline) {
+// The times that a scene is looked at: frames from first to last, and every key between.
+std::vector<double> times_of(const scene::Scene& scene) {
+    const animation::Timeline& timeline = scene.timeline;
     std::set<double> times;
     const int count = std::min(timeline.frames, most_samples);
     for (int k = 0; k < count; ++k) {
@@ -62,7 +63,7 @@ std::vector<double> times_of(const animation::Timeline& timeline) {
         times.insert(timeline.time(frame));
     }
     const double last = timeline.time(timeline.frames);
-    for (const Track& track : timeline.animation.tracks()) {
+    for (const Track& track : scene.surface.animation.tracks()) {
         const auto* keys = std::get_if<animation::Keys>(&track.source);
         if (!keys) continue;
         for (const animation::Key& key : keys->keys) {
@@ -148,7 +149,7 @@ void put_surface(Overrides& all, const std::string& surface, const Overrides& ow
 scene::Scene apply(scene::Scene scene, const Overrides& overrides) {
     const bool has_several = scene::has_several_surfaces(scene);
     scene::for_each_surface(scene, [&](scene::Scene& one) {
-        animation::Animation& animation = one.timeline.animation;
+        animation::Animation& animation = one.surface.animation;
         animation =
             apply(animation, has_several ? of_surface(overrides, one.surface.label) : overrides);
     });
@@ -156,14 +157,14 @@ scene::Scene apply(scene::Scene scene, const Overrides& overrides) {
 }
 
 std::vector<SliderRange> slider_ranges(const scene::Scene& scene) {
-    const auto& tracks = scene.timeline.animation.tracks();
+    const auto& tracks = scene.surface.animation.tracks();
     std::vector<SliderRange> ranges;
     ranges.reserve(std::size_t(scene.surface.parameters));
     for (int k = 0; k < scene.surface.parameters; ++k) {
         ranges.push_back({tracks[std::size_t(k)].name, k, HUGE_VAL, -HUGE_VAL, false});
     }
-    for (const double time : times_of(scene.timeline)) {
-        const animation::Values values = scene.timeline.animation.at(time);
+    for (const double time : times_of(scene)) {
+        const animation::Values values = scene.surface.animation.at(time);
         for (SliderRange& range : ranges) {
             const double value = values.tracks[std::size_t(range.track)];
             if (!std::isfinite(value)) continue;
@@ -194,7 +195,7 @@ std::vector<Slider> sliders(const std::vector<SliderRange>& ranges, const animat
 std::vector<ArrayControls> array_controls(const scene::Scene& scene,
                                           const animation::Values& values,
                                           const Overrides& overrides) {
-    const Animation& animation = scene.timeline.animation;
+    const Animation& animation = scene.surface.animation;
     std::vector<ArrayControls> all;
     for (std::size_t a = 0; a < animation.arrays().size(); ++a) {
         const Array& array = animation.arrays()[a];

@@ -11,7 +11,7 @@ namespace {
 
 const scene::PlacementAt* placement_of(const scene::SceneAt& now, int surface) {
     if (surface < 0 || std::size_t(surface) >= scene::surface_count(now)) return nullptr;
-    return &scene::nth_surface(now, std::size_t(surface)).placement;
+    return &scene::nth_surface(now, std::size_t(surface)).surface.placement;
 }
 
 double nearness(const PlacedEvent& event, double frame) {

@@ -16,7 +16,7 @@ namespace {
 // Those of the surface before where values leave their ranges, which is said where it is drawn.
 formula::CubicSteps steps_of(const scene::Scene& surface) {
     try {
-        return scene::cubic_steps(surface, scene::at(surface, surface.timeline.values(1)));
+        return scene::cubic_steps(surface, scene::at_frame(surface, 1));
     } catch (const scene::SceneError&) {
         return surface.surface.cubic_steps;
     }

@@ -146,7 +146,7 @@ Playback jumped_to_time(const Playback& p, double time, double now) {
 }
 
 std::int64_t frame_of_time(animation::FrameRate fps, double time) {
-    const animation::Timeline timeline{fps, 1, {}, false};
+    const animation::Timeline timeline{fps};
     // (frame - 1) * denominator has to be an integer.
     const double most = 0x1p62 / double(fps.denominator);
     const double frames = std::floor(time * (double(fps.numerator) / double(fps.denominator)));

@@ -81,17 +81,17 @@ std::vector<scene::Override> render_settings(const Session& session) {
     const bool has_several = scene::has_several_surfaces(scene);
     const std::string first = has_several ? "surfaces.1." : "";
     if (!has_several) {
-        add_overrides(scene.timeline.animation, look.overrides, "", all);
+        add_overrides(scene.surface.animation, look.overrides, "", all);
     }
     for (std::size_t k = 0; has_several && k < scene::surface_count(scene); ++k) {
         const scene::Scene& surface = scene::nth_surface(scene, k);
-        add_overrides(surface.timeline.animation, of_surface(look.overrides, surface.surface.label),
+        add_overrides(surface.surface.animation, of_surface(look.overrides, surface.surface.label),
                       fmt::format("surfaces.{}.", k + 1), all);
     }
     if (look.camera) {
         all.push_back("camera=" + inline_table(camera_text(*look.camera, scene.camera.shutter)));
     }
-    const scene::Isolation& own = scene.isolation;
+    const scene::Isolation& own = scene.surface.isolation;
     const scene::Isolation& used = look.isolation;
     if (used.method != own.method) {
         all.push_back(fmt::format("{}isolation.method=\"{}\"", first, scene::name(used.method)));

@@ -26,8 +26,8 @@ Session::Session(scene::Scene scene)
     : playback(playback_of(scene.timeline))
     , scene_(std::make_shared<const scene::Scene>(std::move(scene))) {
     size_ = {scene_->output.width, scene_->output.height};
-    look_.isolation = scene_->isolation;
-    look_.other = beside(scene_->isolation);
+    look_.isolation = scene_->surface.isolation;
+    look_.other = beside(scene_->surface.isolation);
     study();
 }
 
@@ -44,9 +44,9 @@ void Session::reload(scene::Scene scene, double now) {
     const std::shared_ptr<const scene::Scene> before = scene_;
     playback = moved_to(playback, before->timeline, scene.timeline, now);
     scene_ = std::make_shared<const scene::Scene>(std::move(scene));
-    if (look_.isolation == before->isolation) look_.isolation = scene_->isolation;
-    if (look_.other == beside(before->isolation)) {
-        look_.other = beside(scene_->isolation);
+    if (look_.isolation == before->surface.isolation) look_.isolation = scene_->surface.isolation;
+    if (look_.other == beside(before->surface.isolation)) {
+        look_.other = beside(scene_->surface.isolation);
     }
     study();
 }
@@ -76,7 +76,7 @@ void Session::move() {
 }
 
 scene::SceneAt Session::at(std::int64_t frame, double part) const {
-    return scene::at(overridden_, overridden_.timeline.values(frame, part));
+    return scene::at_frame(overridden_, frame, part);
 }
 
 int Session::samples() const {

@@ -63,7 +63,7 @@ std::string what(const topology::Event& event) {
 std::vector<TimelineMarker> key_markers(const scene::Scene& scene) {
     const animation::Timeline& timeline = scene.timeline;
     std::map<double, std::vector<std::string>> tracks; // by the time of a key
-    for (const animation::Track& track : timeline.animation.tracks()) {
+    for (const animation::Track& track : scene.surface.animation.tracks()) {
         const auto* keys = std::get_if<animation::Keys>(&track.source);
         if (!keys) continue;
         for (const animation::Key& key : keys->keys) tracks[key.time].push_back(track.name);

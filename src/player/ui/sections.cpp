@@ -364,18 +364,18 @@ void parameter_sliders(const std::vector<Slider>& all, const std::vector<ArrayCo
 }
 
 // Draws the sliders of each surface under its name.
-void parameters_of_surfaces(Look& look, const Session& session, const animation::Values& values) {
+void parameters_of_surfaces(Look& look, const Session& session, double time) {
     for (std::size_t k = 0; k < scene::surface_count(session.scene()); ++k) {
         const scene::Scene& surface = scene::nth_surface(session.scene(), k);
-        const scene::Scene& now = scene::nth_surface(session.overridden(), k);
         const std::string& name = surface.surface.label;
-        const animation::Values its = k == 0 ? values : now.timeline.animation.at(values.time);
+        const scene::Scene& shown = scene::nth_surface(session.overridden(), k);
+        const animation::Values values = shown.surface.animation.at(time);
         Overrides own = of_surface(look.overrides, name);
         ImGui::PushID(int(k));
         ImGui::Spacing();
         ImGui::TextUnformatted(name.c_str());
-        parameter_sliders(sliders(session.slider_ranges(k), its, own),
-                          array_controls(surface, its, own), own);
+        parameter_sliders(sliders(session.slider_ranges(k), values, own),
+                          array_controls(surface, values, own), own);
         ImGui::PopID();
         put_surface(look.overrides, name, own);
     }
@@ -383,7 +383,8 @@ void parameters_of_surfaces(Look& look, const Session& session, const animation:
 
 } // namespace
 
-void parameter_section(Look& look, const Session& session, const animation::Values& values) {
+void parameter_section(Look& look, const Session& session, double time) {
+    const animation::Values values = session.overridden().surface.animation.at(time);
     const bool has_several = scene::has_several_surfaces(session.scene());
     const auto all = sliders(session.slider_ranges(), values, look.overrides);
     const auto arrays = array_controls(session.scene(), values, look.overrides);
@@ -391,7 +392,7 @@ void parameter_section(Look& look, const Session& session, const animation::Valu
     if (!heading("Parameters")) return;
     const Overrides before = look.overrides;
     if (has_several) {
-        parameters_of_surfaces(look, session, values);
+        parameters_of_surfaces(look, session, time);
     } else {
         parameter_sliders(all, arrays, look.overrides);
     }
@@ -401,8 +402,8 @@ void parameter_section(Look& look, const Session& session, const animation::Valu
 void method_section(Look& look, const scene::Scene& scene) {
     if (!heading("Method")) return;
     method_combo("##method", look.isolation.method);
-    settings(look.isolation, scene.isolation);
-    if (ImGui::Button("as the scene says", {-1, 0})) look.isolation = scene.isolation;
+    settings(look.isolation, scene.surface.isolation);
+    if (ImGui::Button("as the scene says", {-1, 0})) look.isolation = scene.surface.isolation;
     ImGui::Checkbox("smooth edges at rest", &look.smooth);
 }
 

@@ -27,7 +27,7 @@ void view_section(Look& look, const std::optional<Shown>& shown);
 // Returns the command of a button that was clicked.
 std::optional<Command> camera_section(Look& look, const scene::CameraAt& camera);
 
-void parameter_section(Look& look, const Session& session, const animation::Values& values);
+void parameter_section(Look& look, const Session& session, double time);
 
 void method_section(Look& look, const scene::Scene& scene);
 

@@ -54,9 +54,8 @@ constexpr ColorFields color_fields[] = {{{"r", "g", "b"}, 1},
                                         {{"red", "green", "blue"}, 1.0 / 255}};
 
 // Whether the formula, or another field, reads a field: it is no colour then.
-bool is_read(const SurfaceParts& parts, const animation::Animation& animation, std::size_t array,
-             std::size_t field) {
-    if (animation.is_referenced(array, field)) return true;
+bool is_read(const SurfaceParts& parts, std::size_t array, std::size_t field) {
+    if (parts.surface.animation.is_referenced(array, field)) return true;
     const formula::Graph& graph = parts.surface.field->graph;
     const auto& parameter = parts.vocabulary.arrays[array].fields[field].parameter;
     const auto below = formula::nodes_below(graph, std::array{parts.surface.field->root});
@@ -69,9 +68,7 @@ bool is_read(const SurfaceParts& parts, const animation::Animation& animation, s
 }
 
 // The three fields of an array, if it has them and they are free.
-std::optional<std::array<int, 3>> free_fields(const SurfaceParts& parts,
-                                              const animation::Animation& animation,
-                                              std::size_t array,
+std::optional<std::array<int, 3>> free_fields(const SurfaceParts& parts, std::size_t array,
                                               const std::array<const char*, 3>& names) {
     const auto& fields = parts.vocabulary.arrays[array].fields;
     std::array<int, 3> found{};
@@ -79,7 +76,7 @@ std::optional<std::array<int, 3>> free_fields(const SurfaceParts& parts,
         const auto at = std::ranges::find(fields, names[k], &formula::FieldName::name);
         if (at == fields.end()) return std::nullopt;
         found[k] = int(at - fields.begin());
-        if (is_read(parts, animation, array, std::size_t(found[k]))) return std::nullopt;
+        if (is_read(parts, array, std::size_t(found[k]))) return std::nullopt;
     }
     return found;
 }
@@ -104,8 +101,8 @@ ColorParts read_color(const toml::node& node, const std::string& key, const Surf
     return color;
 }
 
-std::shared_ptr<const formula::Paint> make_color(const ColorParts& color, const SurfaceParts& parts,
-                                                 const animation::Animation& animation) {
+std::shared_ptr<const formula::Paint> make_color(const ColorParts& color,
+                                                 const SurfaceParts& parts) {
     const formula::Field& field = *parts.surface.field;
     if (color.is_of_place()) {
         try {
@@ -119,7 +116,7 @@ std::shared_ptr<const formula::Paint> make_color(const ColorParts& color, const 
     }
     for (std::size_t a = 0; a < parts.arrays.size() && !color.is_given; ++a) {
         for (const ColorFields& known : color_fields) {
-            const auto fields = free_fields(parts, animation, a, known.names);
+            const auto fields = free_fields(parts, a, known.names);
             if (!fields) continue;
             auto mean =
                 formula::make_mean_color(parts.vocabulary, field, int(a), *fields, known.unit);

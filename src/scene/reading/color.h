@@ -29,7 +29,7 @@ ColorParts read_color(const toml::node& node, const std::string& key, const Surf
 // The colour at every place; null if it is the same everywhere. If the scene gives none, and the
 // formula sums over an array with fields r, g and b (or red, green and blue from 0 to 255) that
 // nothing else reads, the colour is their mean.
-std::shared_ptr<const formula::Paint> make_color(const ColorParts& color, const SurfaceParts& parts,
-                                                 const animation::Animation& animation);
+std::shared_ptr<const formula::Paint> make_color(const ColorParts& color,
+                                                 const SurfaceParts& parts);
 
 } // namespace isomotion::scene

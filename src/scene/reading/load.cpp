@@ -205,7 +205,7 @@ void check_arrays(const animation::Animation& animation, const TrackTable& track
 // Refuses what would take minutes to read, or to be at one frame: it is no scene but a slip of the
 // pen.
 void check_work(const Scene& scene, const SurfaceParts& parts, const TrackTable& tracks) {
-    const animation::Animation& animation = scene.timeline.animation;
+    const animation::Animation& animation = scene.surface.animation;
     const std::vector<int> counts = animation.counts();
     const double at_a_point =
         std::max(formula::cost(parts.surface.field->gradient, counts).operations,
@@ -225,7 +225,7 @@ void check_work(const Scene& scene, const SurfaceParts& parts, const TrackTable&
 
 SceneAt first_frame(const Scene& scene, const TrackTable& tracks) {
     try {
-        return at(scene, scene.timeline.values(1));
+        return at_frame(scene, 1);
     } catch (const ValueError& error) {
         tracks.fail_at(error);
     }
@@ -244,13 +244,13 @@ void expect_surface(const Scene& scene, const SurfaceParts& parts) {
 constexpr double wall_part = 0x1p-15;
 
 // Values that float32 doesn't hold well are multiplied by a power of two.
-void rescale(Scene& scene, SurfaceParts& parts, const SceneAt& first) {
-    const double scale = field_scale(*scene.surface.field, first);
+void rescale(SurfaceParts& parts, const SceneAt& first) {
+    Surface& surface = parts.surface;
+    const double scale = field_scale(*surface.field, first);
     if (scale != 1) {
-        scene.surface.field = parts.surface.field =
-            std::make_shared<formula::Field>(formula::scaled(*scene.surface.field, scale));
+        surface.field = std::make_shared<formula::Field>(formula::scaled(*surface.field, scale));
     }
-    const Float32Loss loss = float32_loss(*scene.surface.field, first);
+    const Float32Loss loss = float32_loss(*surface.field, first);
     if (loss.part <= 0.9) return;
     const double size = std::abs(loss.example);
     const bool is_held = size > 1e-30 && size < 1e30; // only parts of the formula are not
@@ -298,67 +298,65 @@ Scene read_document_scene(toml::table& root, const fs::path& file, const base::C
     TrackTable tracks;
     std::uint64_t seed = 0;
     read_time(document, scene, seed);
-    const auto parts = read_surface(document, scene.timeline, tracks, within);
+    Surface& surface = scene.surface;
+    const auto parts = read_surface(document, scene.timeline, tracks, within, surface);
     tracks.place("surface.formula", parts->catalogue ? "formula" : "surface.formula",
                  parts->formula_node);
     read_space(document, *parts, tracks);
     scene.camera = read_camera(document, tracks);
     read_lights(document, scene, tracks);
     const MaterialParts material = read_material(document, *parts, tracks);
-    scene.material = material.material;
     read_output(document, scene);
     read_surroundings(document, scene, tracks);
     scene.environment = read_environment(document, tracks, within);
     GivenThresholds given;
     if (parts->catalogue) {
         Section catalogue(*parts->catalogue, "");
-        read_isolation(catalogue, scene.isolation, given);
+        read_isolation(catalogue, surface.isolation, given);
     }
-    read_isolation(document, scene.isolation, given);
+    read_isolation(document, surface.isolation, given);
     scene.sections = read_sections(document, tracks);
-    if (scene.isolation.certify && !scene.sections.empty()) {
+    if (surface.isolation.certify && !scene.sections.empty()) {
         fail(*document.find("sections"), "isolation.certify",
              "the GPU's proofs know no sections; leave one of the two out (audits and `accuracy` "
              "know them)");
     }
     document.refuse_rest();
 
-    scene.timeline.animation = tracks.animate(parts->arrays, seed);
+    surface.animation = tracks.animate(parts->arrays, seed);
     make_field(*parts);
     expect_surface(scene, *parts);
-    make_paints(material, *parts, scene.timeline.animation, scene.material);
-    store_elements_of(*parts, paints_of(scene.material));
+    make_paints(material, *parts);
+    store_elements_of(*parts, paints_of(surface.material));
     if (reading != Reading::without_unused)
-        refuse_unused(*parts, paints_of(scene.material), scene.timeline.animation, tracks,
-                      for_others);
-    scene.surface = parts->surface;
-    scene.timeline.animation.keep_fields(parts->surface.field->packing);
+        refuse_unused(*parts, paints_of(surface.material), tracks, for_others);
+    surface.animation.keep_fields(surface.field->packing);
+    surface.value_places = std::make_shared<const ValuePlaces>(tracks.stated());
 
     // Settings are chosen once, at the first frame: every frame is marched alike.
     check_work(scene, *parts, tracks);
     const SceneAt first = first_frame(scene, tracks);
-    scene.value_places = std::make_shared<const ValuePlaces>(tracks.stated());
     if (reading != Reading::whole) return scene;
-    Isolation& isolation = scene.isolation;
-    scene.surface.smoothness = smoothness(*scene.surface.field, regions(scene, first));
-    scene.surface.cubic_steps = cubic_steps(scene, first);
+    Isolation& isolation = surface.isolation;
+    surface.smoothness = smoothness(*surface.field, regions(scene, first));
+    surface.cubic_steps = cubic_steps(scene, first);
     if (isolation.method == Method::hermite && !isolation.certify)
-        scene.surface.elements_at_a_place = elements_at_a_place(scene);
-    if (!given.step) isolation.step = first.bounds.radius / 100;
+        surface.elements_at_a_place = elements_at_a_place(scene);
+    if (!given.step) isolation.step = first.surface.bounds.radius / 100;
     if (!given.near || !given.far || !given.horizon) {
-        const double slope = field_slope(*scene.surface.field, first);
+        const double slope = field_slope(*surface.field, first);
         const Thresholds found = field_thresholds(slope, isolation.step);
         if (!given.near) isolation.near = found.near;
         if (!given.far) isolation.far = std::max(found.far, isolation.near);
         if (!given.horizon) isolation.horizon = found.horizon;
     }
-    if (scene.surface.jumps_are_walls) {
-        scene.surface.field = parts->surface.field = std::make_shared<formula::Field>(
-            formula::with_walls(*scene.surface.field, wall_part * first.bounds.radius));
+    if (surface.jumps_are_walls) {
+        surface.field = std::make_shared<formula::Field>(
+            formula::with_walls(*surface.field, wall_part * first.surface.bounds.radius));
     }
-    rescale(scene, *parts, first);
+    rescale(*parts, first);
     // Curvatures are quotients of the same field's slopes.
-    make_paints(material, *parts, scene.timeline.animation, scene.material);
+    make_paints(material, *parts);
     if (material.colormap) find_shown_range(*material.colormap, scene);
     return scene;
 }
@@ -405,18 +403,19 @@ Scene read_one(toml::table& root, const fs::path& file, const base::Confines& wi
 
 // A pixel is proved if what its ray meets of each surface is.
 void certify_all_or_none(std::vector<Scene>& scenes) {
-    const bool any =
-        std::ranges::any_of(scenes, [](const Scene& scene) { return scene.isolation.certify; });
-    for (Scene& scene : scenes) scene.isolation.certify = any;
+    const bool any = std::ranges::any_of(
+        scenes, [](const Scene& scene) { return scene.surface.isolation.certify; });
+    for (Scene& scene : scenes) scene.surface.isolation.certify = any;
 }
 
 // Whether the surface is drawn by elements of the array.
 bool uses_array(const Scene& surface, std::string_view name) {
-    const auto& arrays = surface.timeline.animation.arrays();
+    const auto& arrays = surface.surface.animation.arrays();
     const auto found = std::ranges::find(arrays, name, &animation::Array::name);
     if (found == arrays.end()) return false;
     std::vector<const formula::Graph*> graphs{&surface.surface.field->graph};
-    for (const formula::Paint* paint : paints_of(surface.material)) graphs.push_back(&paint->graph);
+    for (const formula::Paint* paint : paints_of(surface.surface.material))
+        graphs.push_back(&paint->graph);
     return std::ranges::any_of(graphs, [&](const formula::Graph* graph) {
         for (formula::NodeId id = 0; id < graph->size(); ++id) {
             const formula::Node& node = (*graph)[id];
@@ -502,7 +501,7 @@ Scene read_listed(const toml::table& root, const Parse& parse, const fs::path& f
     Scene first = std::move(scenes.front());
     first.others.assign(std::make_move_iterator(scenes.begin() + 1),
                         std::make_move_iterator(scenes.end()));
-    at(first, first.timeline.values(1)); // with a camera that sees all
+    at_frame(first, 1); // with a camera that sees all
     return first;
 }
 

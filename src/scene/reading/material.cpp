@@ -30,7 +30,7 @@ constexpr Gloss gloss_keys[] = {
 };
 
 // The scene's colours, else the catalogue's.
-void read_colors(std::optional<Section>& own, const SurfaceParts& parts, MaterialParts& read,
+void read_colors(std::optional<Section>& own, SurfaceParts& parts, MaterialParts& read,
                  TrackTable& tracks) {
     std::optional<Section> catalogue;
     if (parts.catalogue) catalogue = Section(*parts.catalogue, "").section("material");
@@ -52,9 +52,10 @@ void read_colors(std::optional<Section>& own, const SurfaceParts& parts, Materia
         read.color.tracks = tracks.add("material.color", 0.72, 0.32, 0.08);
     }
     read.color.is_given = own && own->has("color");
-    read.material.color = read.color.tracks;
+    Material& material = parts.surface.material;
+    material.color = read.color.tracks;
     if (const Found back = find("back_color"); back.node)
-        read.material.inside = tracks.add(back.key, read_vector(*back.node, back.key), back.node);
+        material.inside = tracks.add(back.key, read_vector(*back.node, back.key), back.node);
     if (catalogue) catalogue->refuse_rest();
 }
 
@@ -136,9 +137,9 @@ void read_reflection(Section& section, Material& material) {
 
 } // namespace
 
-MaterialParts read_material(Section& document, const SurfaceParts& parts, TrackTable& tracks) {
+MaterialParts read_material(Section& document, SurfaceParts& parts, TrackTable& tracks) {
     MaterialParts read;
-    Material& material = read.material;
+    Material& material = parts.surface.material;
     auto own = document.section("material");
     read_colors(own, parts, read, tracks);
     if (own) {
@@ -155,13 +156,13 @@ MaterialParts read_material(Section& document, const SurfaceParts& parts, TrackT
     return read;
 }
 
-void make_paints(const MaterialParts& parts, const SurfaceParts& surface,
-                 const animation::Animation& animation, Material& material) {
+void make_paints(const MaterialParts& parts, SurfaceParts& surface) {
+    Material& material = surface.surface.material;
     if (parts.colormap) material.paint = make_paint(*parts.colormap, surface);
     if (parts.contours) material.contours = make_contours(*parts.contours, surface);
     // Elements' colours are not asked for where a map colours the surface.
     if (!parts.colormap || parts.color.is_of_place())
-        material.color_by_place = make_color(parts.color, surface, animation);
+        material.color_by_place = make_color(parts.color, surface);
 }
 
 std::vector<const formula::Paint*> paints_of(const Material& material) {

@@ -10,19 +10,17 @@ namespace isomotion::scene {
 
 // The section as read before the field exists.
 struct MaterialParts {
-    Material material; // without its expressions
     ColorParts color;
     std::optional<PaintParts> colormap;
     std::optional<ContourParts> contours;
 };
 
-// Reads the section and adds its tracks. The catalogue provides colours that the scene leaves out;
-// a model and its values come only from the scene.
-MaterialParts read_material(Section& document, const SurfaceParts& parts, TrackTable& tracks);
+// Reads the section into the surface, without its expressions, and adds its tracks. The catalogue
+// provides colours that the scene leaves out; a model and its values come only from the scene.
+MaterialParts read_material(Section& document, SurfaceParts& surface, TrackTable& tracks);
 
 // Compiles the material's expressions with the names of the surface.
-void make_paints(const MaterialParts& parts, const SurfaceParts& surface,
-                 const animation::Animation& animation, Material& material);
+void make_paints(const MaterialParts& parts, SurfaceParts& surface);
 // The paints that the material has.
 std::vector<const formula::Paint*> paints_of(const Material& material);
 

@@ -96,9 +96,9 @@ Paint make_paint(const PaintParts& parts, const SurfaceParts& surface) {
 void find_shown_range(const PaintParts& parts, Scene& scene) {
     if (!parts.shown_node) return;
     try {
-        const ShownRange shown = shown_range(scene, *scene.material.paint->value);
-        scene.material.paint->shown = shown.range;
-        scene.material.paint->met = shown.met;
+        const ShownRange shown = shown_range(scene, *scene.surface.material.paint->value);
+        scene.surface.material.paint->shown = shown.range;
+        scene.surface.material.paint->met = shown.met;
     } catch (const NoRange& error) {
         fail(*parts.shown_node, parts.range_key, error.what());
     }

@@ -148,8 +148,8 @@ std::vector<const formula::Graph*> graphs_of(const SurfaceParts& parts,
 // "weigth = 2" would leave the catalogue's weight as it was. `used` is that of the vocabulary's
 // parameters. An array that the formula leaves out altogether is no slip.
 void refuse_unused_fields(const SurfaceParts& parts, std::span<const formula::Graph* const> graphs,
-                          const std::vector<bool>& used, const animation::Animation& animation,
-                          const TrackTable& tracks) {
+                          const std::vector<bool>& used, const TrackTable& tracks) {
+    const animation::Animation& animation = parts.surface.animation;
     for (std::size_t a = 0; a < parts.arrays.size(); ++a) {
         const animation::Array& array = parts.arrays[a];
         std::vector<bool> in_formula(array.fields.size(), false);
@@ -186,8 +186,9 @@ void refuse_unused_fields(const SurfaceParts& parts, std::span<const formula::Gr
 } // namespace
 
 std::unique_ptr<SurfaceParts> read_surface(Section& document, const animation::Timeline& timeline,
-                                           TrackTable& tracks, const base::Confines& within) {
-    auto parts = std::make_unique<SurfaceParts>();
+                                           TrackTable& tracks, const base::Confines& within,
+                                           Surface& surface) {
+    auto parts = std::make_unique<SurfaceParts>(surface);
     auto section = document.section("surface");
     if (!section) {
         fail(document.table(), "surface",
@@ -252,8 +253,7 @@ void store_elements_of(SurfaceParts& parts, std::span<const formula::Paint* cons
 }
 
 void refuse_unused(const SurfaceParts& parts, std::span<const formula::Paint* const> paints,
-                   const animation::Animation& animation, const TrackTable& tracks,
-                   std::set<std::string>* for_others) {
+                   const TrackTable& tracks, std::set<std::string>* for_others) {
     std::vector<bool> used(parts.vocabulary.parameters.size(), false);
     const auto graphs = graphs_of(parts, paints);
     for (const formula::Graph* graph : graphs) {
@@ -262,10 +262,10 @@ void refuse_unused(const SurfaceParts& parts, std::span<const formula::Paint* co
             if (node.op == formula::Op::parameter) used[std::size_t(node.index)] = true;
         }
     }
-    refuse_unused_fields(parts, graphs, used, animation, tracks);
+    refuse_unused_fields(parts, graphs, used, tracks);
     // A parameter that neither the formula nor an expression names is a slip of the pen.
     for (std::size_t k = 0; k < parts.parameters.size(); ++k) {
-        if (used[k] || animation.is_referenced(int(k))) {
+        if (used[k] || parts.surface.animation.is_referenced(int(k))) {
             if (for_others) for_others->erase(parts.parameters[k]);
             continue;
         }

@@ -11,20 +11,22 @@
 
 namespace isomotion::scene {
 
+// A surface that is being read.
 struct SurfaceParts {
-    Surface surface; // the field is made later, when uniform fields have their tracks
-    std::string formula;
+    Surface& surface; // the field is made later, when uniform fields have their tracks
+    std::string formula{};
     const toml::node* formula_node = nullptr;
-    std::vector<std::string> parameters;
-    std::vector<animation::Array> arrays;
-    formula::Vocabulary vocabulary;
-    std::optional<toml::table> catalogue; // the catalogue's file, kept for places and [isolation]
+    std::vector<std::string> parameters{};
+    std::vector<animation::Array> arrays{};
+    formula::Vocabulary vocabulary{};
+    std::optional<toml::table> catalogue{}; // the catalogue's file, kept for places and [isolation]
 };
 
-// Reads the three sections and adds their tracks: parameters first, then fields that have one value
-// for all elements.
+// Reads the three sections into `surface` and adds their tracks: parameters first, then fields that
+// have one value for all elements.
 std::unique_ptr<SurfaceParts> read_surface(Section& document, const animation::Timeline& timeline,
-                                           TrackTable& tracks, const base::Confines& within);
+                                           TrackTable& tracks, const base::Confines& within,
+                                           Surface& surface);
 
 // Parses the formula.
 void make_field(SurfaceParts& parts);
@@ -35,7 +37,6 @@ void store_elements_of(SurfaceParts& parts, std::span<const formula::Paint* cons
 // Refuses parameters and fields that neither the formula, nor a paint, nor another value uses.
 // Other surfaces may use the names in `for_others`; names used here are removed from it.
 void refuse_unused(const SurfaceParts& parts, std::span<const formula::Paint* const> paints,
-                   const animation::Animation& animation, const TrackTable& tracks,
-                   std::set<std::string>* for_others);
+                   const TrackTable& tracks, std::set<std::string>* for_others);
 
 } // namespace isomotion::scene

@@ -49,7 +49,7 @@ struct Pair {
 };
 
 animation::Rules placement_rules(const scene::Scene& scene, double within, Graph& g) {
-    return {scene.timeline.animation, within, g, g.input(clock_input)};
+    return {scene.surface.animation, within, g, g.input(clock_input)};
 }
 
 Pair paired(const Body& a, const Body& b, const Motion& of_a, Motion of_b, double within) {
@@ -167,7 +167,7 @@ void find_points(const scene::Scene& scene, double within, Interval clock,
     Graph g;
     animation::Rules rules = placement_rules(scene, within, g);
     const std::array scale{placement_nodes(scene.surface.placement, g, rules).scale};
-    find_not_positive(g, scale, clock, scene.timeline.animation.seed(), spans);
+    find_not_positive(g, scale, clock, scene.surface.animation.seed(), spans);
 }
 
 // Where a placement's rules change.
@@ -175,7 +175,7 @@ std::vector<animation::Knot> knots_of(const scene::Scene& scene, Interval range)
     Graph g;
     animation::Rules rules = placement_rules(scene, mid(range), g);
     placement_nodes(scene.surface.placement, g, rules);
-    return animation::knots(scene.timeline.animation, rules.used(), range);
+    return animation::knots(scene.surface.animation, rules.used(), range);
 }
 
 const Motion& piece_at(const Motions& all, double time) {

@@ -51,7 +51,7 @@ std::vector<Time> with_doubts_joined(const std::vector<Time>& times, double gap)
 
 MonotoneTrack::MonotoneTrack(const scene::Scene& scene, int track, Interval range)
     : range_(range) {
-    const animation::Animation& animation = scene.timeline.animation;
+    const animation::Animation& animation = scene.surface.animation;
     bindings_.seed = animation.seed();
     formula::Graph all;
     animation::Rules used(animation, mid(range), all, all.input(0));

@@ -112,7 +112,7 @@ Motion piece(const scene::Scene& scene, Side side, double within, std::optional<
     Graph& g = motion.graph;
     std::optional<animation::Driver> by;
     if (driver) by = {*driver, g.input(clock_input)};
-    animation::Rules rules(scene.timeline.animation, within, g,
+    animation::Rules rules(scene.surface.animation, within, g,
                            g.input(driver ? time_input : clock_input), by);
     // A track without a value leaves the formula none, though min or 0*c would hide it.
     const auto in_place = [&](Graph& to, const Node& node, NodeId rebuilt) {
@@ -123,7 +123,7 @@ Motion piece(const scene::Scene& scene, Side side, double within, std::optional<
     Graph named = field.graph;
     const auto number = [&](int parameter) -> std::optional<double> {
         const animation::TrackSource& source =
-            scene.timeline.animation.tracks()[std::size_t(parameter)].source;
+            scene.surface.animation.tracks()[std::size_t(parameter)].source;
         const auto* constant = std::get_if<double>(&source);
         return constant ? std::optional(*constant) : std::nullopt;
     };
@@ -148,7 +148,7 @@ Motion piece(const scene::Scene& scene, Side side, double within, std::optional<
         }
     }
     motion.bindings.arrays = rules.columns();
-    motion.bindings.seed = scene.timeline.animation.seed();
+    motion.bindings.seed = scene.surface.animation.seed();
     if (used) *used = rules.used();
     fold_elements(motion);
     motion.moves = depends_on_clock(motion);
@@ -159,7 +159,7 @@ Motion piece(const scene::Scene& scene, Side side, double within, std::optional<
 // track's own may change in the range: where something rests at one time, it may move at another.
 std::optional<Motion> through_one_track(const scene::Scene& scene, const animation::Parts& parts,
                                         Side side, Interval range) {
-    const animation::Animation& animation = scene.timeline.animation;
+    const animation::Animation& animation = scene.surface.animation;
     for (const int k : parts.arrays) {
         const auto& samples = animation.arrays()[std::size_t(k)].samples;
         if (samples && samples->times().size() > 1) return std::nullopt;
@@ -302,7 +302,7 @@ Interval with_ends_in_doubt(Interval clock) {
 
 Motions motions(const scene::Scene& scene, Side side, Interval range, Clock clock) {
     Motions all;
-    const animation::Animation& animation = scene.timeline.animation;
+    const animation::Animation& animation = scene.surface.animation;
     animation::Parts parts;
     piece(scene, side, mid(range), std::nullopt, &parts);
     std::vector<animation::Knot> knots = animation::knots(animation, parts, range);

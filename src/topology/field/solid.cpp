@@ -26,9 +26,9 @@ struct Patch {
 class FaceSigns {
 public:
     FaceSigns(const formula::Field& field, const scene::SceneAt& now)
-        : numbers_(formula::convert<double>(now.bindings))
-        , intervals_(formula::convert<Interval>(now.bindings))
-        , bounds_(now.bounds)
+        : numbers_(formula::convert<double>(now.surface.bindings))
+        , intervals_(formula::convert<Interval>(now.surface.bindings))
+        , bounds_(now.surface.bounds)
         , value_(field.value)
         , enclosure_program_(formula::value_enclosure(field))
         , enclosure_(enclosure_program_) {
@@ -129,7 +129,7 @@ private:
 } // namespace
 
 Side solid_side(const scene::Scene& scene) {
-    const scene::SceneAt first = scene::at(scene, scene.timeline.values(1));
+    const scene::SceneAt first = scene::at_frame(scene, 1);
     return FaceSigns(*scene.surface.field, first).solid();
 }
 

@@ -22,7 +22,7 @@ std::string distance(double frames) {
 
 std::string betti_csv(const TimelineRecord& record) {
     const Steps steps = steps_of(record.timeline);
-    const animation::Timeline clock{record.header.fps, 1, {}, false};
+    const animation::Timeline clock{record.header.fps};
     const formula::Interval range = record.timeline.range;
     std::string text = "frame,b0,b1,b2,surface_b0,surface_b1,surface_b2,proved,to_next_event,"
                        "from_last_event\n";

@@ -56,7 +56,7 @@ TimelineHeader::Box box_of(const scene::BoundsAt& bounds) {
 
 // The fingerprint of what determines topology and, if it counts, of the placement.
 std::string fingerprint_of(const scene::Scene& scene, bool with_placement) {
-    const Animation& animation = scene.timeline.animation;
+    const Animation& animation = scene.surface.animation;
     const scene::Bounds& bounds = scene.surface.bounds;
     Needed needed(animation);
     for (int id = 0; id < scene.surface.parameters; ++id) needed.track(id);
@@ -100,9 +100,7 @@ std::string fingerprint_of(const scene::Scene& scene, bool with_placement) {
 std::string fingerprint(const scene::Scene& scene) { return fingerprint_of(scene, false); }
 
 TimelineHeader header_of(const scene::Scene& scene, formula::Interval range) {
-    const auto bounds = [&](double time) {
-        return box_of(scene::at(scene, scene.timeline.animation.at(time)).bounds);
-    };
+    const auto bounds = [&](double time) { return box_of(scene::at(scene, time).surface.bounds); };
     return {scene.title,
             fingerprint(scene),
             scene.timeline.fps,

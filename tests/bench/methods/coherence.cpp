@@ -42,8 +42,8 @@ public:
 private:
     static scene::Scene drawn(const Certified& on, Known known) {
         scene::Scene scene = on.subject.scene;
-        scene.isolation.method = scene::Method::hermite;
-        if (known != Known::nothing) scene.isolation.beam = true;
+        scene.surface.isolation.method = scene::Method::hermite;
+        if (known != Known::nothing) scene.surface.isolation.beam = true;
         return scene;
     }
     render::RenderOptions options(std::vector<Channel> channels) const {
@@ -55,7 +55,7 @@ private:
     scene::SceneAt before(std::size_t k) const {
         const int frame = on_.subject.frames[k];
         return scene::in_formula_coordinates(
-            scene::at(scene_, scene_.timeline.values(frame > 1 ? frame - 1 : frame + 1)));
+            scene::at_frame(scene_, frame > 1 ? frame - 1 : frame + 1));
     }
 
     const Certified& on_;

@@ -19,8 +19,8 @@ using synthesis::Channel;
 constexpr double minute = 60e3; // ms
 
 Setting setting(const scene::Scene& scene, scene::Method method, int halvings = 0) {
-    return {method, std::ldexp(scene.isolation.step, -halvings), 1, scene.isolation.bisections,
-            scene.isolation.safety};
+    return {method, std::ldexp(scene.surface.isolation.step, -halvings), 1,
+            scene.surface.isolation.bisections, scene.surface.isolation.safety};
 }
 
 double ms(const render::Picture& picture) {
@@ -70,8 +70,8 @@ Certified uncertified(Subject subject, int size) {
     on.subject.scene.output.width = on.subject.scene.output.height = size;
     for (const int frame : on.subject.frames) {
         // Hits are compared by their positions, which float can't tell apart far from the origin.
-        on.frames.push_back(scene::in_formula_coordinates(
-            scene::at(on.subject.scene, on.subject.scene.timeline.values(frame))));
+        on.frames.push_back(
+            scene::in_formula_coordinates(scene::at_frame(on.subject.scene, frame)));
     }
     return on;
 }
@@ -122,7 +122,7 @@ std::int64_t rays(const Certified& on) {
 
 double operations(const scene::Scene& scene, scene::Method method) {
     scene::Scene with = scene;
-    with.isolation.method = method;
+    with.surface.isolation.method = method;
     const synthesis::Passes passes = synthesis::assemble(with);
     std::vector<int> counts;
     for (const auto& array : passes.arrays) counts.push_back(array.capacity);
@@ -196,12 +196,12 @@ std::vector<Timing> race(gpu::Context& context, std::span<const Entrant> entrant
 
 Certified without_bounds(const Certified& on) {
     Certified empty{on.subject, on.frames, {}};
-    empty.subject.scene.isolation.beam = false;
+    empty.subject.scene.surface.isolation.beam = false;
     for (scene::SceneAt& now : empty.frames) {
-        const glm::dvec3 away = 1e3 * now.bounds.radius * now.camera.up;
-        now.bounds.min += away;
-        now.bounds.max += away;
-        now.bounds.centre += away;
+        const glm::dvec3 away = 1e3 * now.surface.bounds.radius * now.camera.up;
+        now.surface.bounds.min += away;
+        now.surface.bounds.max += away;
+        now.surface.bounds.centre += away;
     }
     return empty;
 }
@@ -209,8 +209,8 @@ Certified without_bounds(const Certified& on) {
 Contest hold(gpu::Context& context, const Certified& on, std::span<const scene::Method> methods,
              int most_halvings, int repeat) {
     const scene::Scene& scene = on.subject.scene;
-    Contest contest{on.subject.name,      on.width(), int(on.frames.size()),
-                    scene.isolation.step, {},         {}};
+    Contest contest{
+        on.subject.name, on.width(), int(on.frames.size()), scene.surface.isolation.step, {}, {}};
     Ladder ladder(context, on, most_halvings);
     const Certified empty = without_bounds(on);
     std::vector<Entrant> entrants{{&empty, setting(scene, scene::Method::amp_sign)}};

@@ -48,7 +48,7 @@ double ms_since(Clock::time_point start) {
 
 std::unique_ptr<render::Renderer> renderer_of(gpu::Context& context, scene::Scene scene,
                                               const std::string& method) {
-    if (!method.empty()) scene.isolation.method = scene::parse_method(method).value();
+    if (!method.empty()) scene.surface.isolation.method = scene::parse_method(method).value();
     using synthesis::Channel;
     const std::vector channels{Channel::normal, Channel::position, Channel::verdict,
                                Channel::evaluations};
@@ -60,7 +60,7 @@ std::unique_ptr<render::Renderer> renderer_of(gpu::Context& context, scene::Scen
 
 Trial attempt(gpu::Context& context, const std::string& text, const Arguments& arguments) {
     const scene::Scene scene = scene::load_text(text, "random.toml", {}, scene::Reach::own_folder);
-    const scene::SceneAt now = scene::at(scene, scene.timeline.values(1));
+    const scene::SceneAt now = scene::at_frame(scene, 1);
     Trial trial;
     trial.scene = text;
     const auto begin = Clock::now();

@@ -107,13 +107,13 @@ cy = "1.6*random(i, 2) - 0.8"
 cz = "random(i, 3) - 0.5"
 )",
                                                         formula));
-        const scene::SceneAt now = scene::at(scene, scene.timeline.values(1));
-        const FrameSigns by_place(*scene.surface.field, scene.timeline.animation.counts());
+        const scene::SceneAt now = scene::at_frame(scene, 1);
+        const FrameSigns by_place(*scene.surface.field, scene.surface.animation.counts());
         Work of_near, of_all;
         const auto near = by_place.at(now, Side::negative, 40, 2, of_near);
         const auto all = FrameSigns(*scene.surface.field)
-                             .at(formula::convert<double>(now.bindings), now.bounds, Side::negative,
-                                 40, 2, of_all);
+                             .at(formula::convert<double>(now.surface.bindings), now.surface.bounds,
+                                 Side::negative, 40, 2, of_all);
         EXPECT_EQ(near, all) << formula;
         EXPECT_LT(of_near.done(), of_all.done()) << formula;
     }

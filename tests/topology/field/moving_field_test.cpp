@@ -157,7 +157,7 @@ TEST(MovingField, IsTheFieldOfTheScene) {
             for (int k = 0; k < 50; ++k) {
                 const double t = middle(motion.clock) + 0.49 * width(motion.clock) * unit(random);
                 const Point p{unit(random), unit(random), unit(random), t};
-                const animation::Values values = scene.timeline.animation.at(t);
+                const animation::Values values = scene.surface.animation.at(t);
                 formula::Bindings<double> bindings;
                 bindings.parameters = values.tracks;
                 bindings.arrays = values.arrays;

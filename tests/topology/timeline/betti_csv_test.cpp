@@ -44,7 +44,7 @@ TEST(BettiCsv, AtAnEventNothingIsSaid) {
 TEST(BettiCsv, FractionalRatesKeepTheirFrames) {
     TimelineRecord record = complete({1, 0, 0}, {});
     record.header.fps = {30000, 1001};
-    const animation::Timeline clock{record.header.fps, 1, {}, false};
+    const animation::Timeline clock{record.header.fps};
     record.timeline.range = {clock.time(17), clock.time(812)};
     const auto lines = lines_of(betti_csv(record));
     ASSERT_EQ(lines.size(), 797u);

@@ -3,6 +3,7 @@
 #include <bit>
 #include <numeric>
 
+#include "animation/animation.h"
 #include "animation/timeline.h"
 #include "testing.h"
 
@@ -10,8 +11,9 @@ namespace isomotion::animation {
 namespace {
 
 constexpr int frames = 900;
+constexpr Timeline timeline{{30000, 1001}, frames};
 
-Timeline busy_timeline() {
+Animation busy_animation() {
     const Keys keys{{{0, 0}, {3.3, 2.5}, {11, -4}, {29, 1}}, Ease::cubic};
     std::vector<Track> tracks{track("m", "3 + 2*sin(2*pi*t/4)*k"),
                               {"k", keys},
@@ -22,7 +24,7 @@ Timeline busy_timeline() {
                                {field("cx", "1.2*(2*random(i,0)-1)*(1-t/4)"),
                                 field("cy", "cx^3 + tan(t)*random(i, floor(t))"),
                                 {"w", 0.1}}}};
-    return {{30000, 1001}, frames, Animation(std::move(tracks), std::move(arrays), 42)};
+    return Animation(std::move(tracks), std::move(arrays), 42);
 }
 
 std::vector<std::uint64_t> bits(const Values& values) {
@@ -38,27 +40,28 @@ std::vector<std::uint64_t> bits(const Values& values) {
 }
 
 TEST(Purity, AFrameAloneIsTheFrameOfTheSequence) {
-    const Timeline sequence = busy_timeline();
-    for (int frame = 1; frame < 812; ++frame) sequence.values(frame);
-    EXPECT_EQ(bits(busy_timeline().values(812)), bits(sequence.values(812)));
+    const Animation sequence = busy_animation();
+    for (int frame = 1; frame < 812; ++frame) sequence.at(timeline.time(frame));
+    EXPECT_EQ(bits(busy_animation().at(timeline.time(812))), bits(sequence.at(timeline.time(812))));
 }
 
 TEST(Purity, TheOrderOfFramesDoesNotMatter) {
-    const Timeline timeline = busy_timeline();
+    const Animation animation = busy_animation();
     std::vector<std::vector<std::uint64_t>> in_order;
-    for (int frame = 1; frame <= frames; ++frame) in_order.push_back(bits(timeline.values(frame)));
+    for (int frame = 1; frame <= frames; ++frame)
+        in_order.push_back(bits(animation.at(timeline.time(frame))));
     std::vector<int> order(frames);
     std::iota(order.begin(), order.end(), 1);
     std::mt19937 engine(7);
     std::shuffle(order.begin(), order.end(), engine);
     for (const int frame : order) {
-        ASSERT_EQ(bits(timeline.values(frame)), in_order[std::size_t(frame - 1)]) << frame;
+        ASSERT_EQ(bits(animation.at(timeline.time(frame))), in_order[std::size_t(frame - 1)])
+            << frame;
     }
 }
 
 TEST(Purity, OtherTracksDoNotMatter) {
-    const Timeline timeline = busy_timeline();
-    const Animation& all = timeline.animation;
+    const Animation all = busy_animation();
     const Animation few({all.tracks()[1], all.tracks()[0]}, {}, 42);
     for (int frame = 1; frame <= frames; ++frame) {
         const double time = timeline.time(frame);

@@ -89,7 +89,7 @@ TEST(ComputedElements, TellTheTracksThatTheyName) {
     ASSERT_TRUE(values[0].computed[0]);
     const auto json = json_of(*values[0].computed[0], web.first().scene, 0);
     ASSERT_THAT(json["tracks"], SizeIs(1));
-    EXPECT_EQ(json["tracks"][0][0].get<int>(), *web.first().scene.timeline.animation.find("a"));
+    EXPECT_EQ(json["tracks"][0][0].get<int>(), *web.first().scene.surface.animation.find("a"));
     EXPECT_TRUE(json["tracks"][0][1].contains("code"));
 }
 

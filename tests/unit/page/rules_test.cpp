@@ -23,7 +23,7 @@ TEST(Rules, ComeAfterWhatTheyDependOn) {
     const auto scene = with_parameters("a = '1 + b'\nb = '2*c'\nc = 0.5\n");
     const auto rules = rules_of(scene);
     ASSERT_EQ(rules["tracks"].size(), 2u);
-    const int b = scene.timeline.animation.find("b").value();
+    const int b = scene.surface.animation.find("b").value();
     EXPECT_EQ(rules["tracks"][0][0], b);
     EXPECT_EQ(rules["tracks"][1][1]["tracks"][0], b);
     ASSERT_EQ(rules["bounds"].size(), 1u);
@@ -40,7 +40,7 @@ TEST(Rules, OfManyWaysTakeNoTime) {
     }
     const auto scene = with_parameters(parameters);
     EXPECT_EQ(rules_of(scene)["tracks"].size(), 60u);
-    EXPECT_TRUE(can_be_held(scene, scene.timeline.animation.find("p0").value()));
+    EXPECT_TRUE(can_be_held(scene, scene.surface.animation.find("p0").value()));
 }
 
 } // namespace

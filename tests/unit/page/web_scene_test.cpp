@@ -106,7 +106,7 @@ TEST(WebScene, OfSeveralSurfacesHasThePassesOfEach) {
 TEST(WebScene, SurfacesAreAllDrawnInOneDrawEachOrNone) {
     using synthesis::Role;
     scene::Scene scene = several();
-    scene::nth_surface(scene, 1).material.model = scene::Material::Model::ggx;
+    scene::nth_surface(scene, 1).surface.material.model = scene::Material::Model::ggx;
     const WebScene web = web_scene(std::move(scene));
     for (const WebSurface& surface : web.surfaces) EXPECT_FALSE(surface.passes.has(Role::fused));
 }

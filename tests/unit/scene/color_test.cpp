@@ -14,7 +14,8 @@ protected:
     // What colours the surface, in words.
     std::string of(const std::string& text) const {
         const Scene scene = loaded(text);
-        return scene.material.color_by_place ? scene.material.color_by_place->text : "plain";
+        return scene.surface.material.color_by_place ? scene.surface.material.color_by_place->text
+                                                     : "plain";
     }
 };
 
@@ -33,9 +34,9 @@ TEST_F(ColorOfScene, OfThePlaceIsAnExpression) {
     EXPECT_EQ(of(ball_and("[material]\ncolor = ['abs(nx)', '0.5 + z*t', 'radius*evaluations']")),
               "abs(nx), 0.5 + z*t, radius*evaluations");
     const Scene scene = loaded(ball_and("[material]\ncolor = ['t', { keys = [[0, 3]] }, 'x']"));
-    EXPECT_EQ(scene.material.color_by_place->text, "as it is, as it is, x");
-    EXPECT_EQ(at_time(scene, 0.5).material_color, glm::dvec3(0.5, 3, 0));
-    EXPECT_TRUE(loaded(ball(), {"material.color=['x', 'y', 0.5]"}).material.color_by_place);
+    EXPECT_EQ(scene.surface.material.color_by_place->text, "as it is, as it is, x");
+    EXPECT_EQ(at_time(scene, 0.5).surface.color, glm::dvec3(0.5, 3, 0));
+    EXPECT_TRUE(loaded(ball(), {"material.color=['x', 'y', 0.5]"}).surface.material.color_by_place);
 }
 
 TEST_F(ColorOfScene, AParameterMayServeItAlone) {
@@ -48,7 +49,8 @@ TEST_F(ColorOfScene, Mistakes) {
                               "evaluations, t";
     expect("['x', 0]", "16: material.color: must have three components: [x, y, z]");
     expect("['x', 0, 0, 1]", "16: material.color: must have three components: [x, y, z]");
-    expect("'x'", "16: material.color: must be [r, g, b], linear ([1, 0, 0] is red), or { keys = [[t, [r, g, b]], ...] }");
+    expect("'x'", "16: material.color: must be [r, g, b], linear ([1, 0, 0] is red), or { keys = "
+                  "[[t, [r, g, b]], ...] }");
     expect("[0, 'q', 0]", "16: material.color.y: unknown name 'q'; known: " + names +
                               ", radius, pi\n    q\n    ^");
     expect("[0, 0, 'nx + raduis']",
@@ -91,7 +93,7 @@ TEST_F(ColorOfScene, NamesAnyFieldOfAnArray) {
     const Scene scene = loaded(tint);
     EXPECT_EQ(scene.surface.field->packing, (formula::ArrayPacking{{0, 2, 1}}))
         << "cx and w as without it, then tint";
-    EXPECT_EQ(at_time(scene, 0).bindings.arrays[0].fields[1], (std::vector<float>{0, 1}));
+    EXPECT_EQ(at_time(scene, 0).surface.bindings.arrays[0].fields[1], (std::vector<float>{0, 1}));
     EXPECT_EQ(
         mistake(blobs(two + "tint = [0, 1]\n[material]\ncolor = ['sum(blobs, tnit*w)', 0, 0]")),
         "scene.toml:10: material.color.x: unknown name 'tnit'; did you mean 'tint'?\n"

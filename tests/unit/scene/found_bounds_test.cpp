@@ -25,7 +25,7 @@ TEST_P(FoundBounds, HoldTheSurfaceAndLittleElse) {
     const auto& [formula, centre, radius] = GetParam();
     const Scene scene = load(formula);
     ASSERT_EQ(scene.surface.found_bounds, std::optional(true));
-    const BoundsAt bounds = at(scene, scene.timeline.values(1)).bounds;
+    const BoundsAt bounds = at_frame(scene, 1).surface.bounds;
     EXPECT_GE(bounds.radius, radius + glm::length(bounds.centre - centre));
     EXPECT_LE(bounds.radius, 1.35 * radius);
 }
@@ -45,7 +45,7 @@ TEST(FoundBoundsOf, WhatGoesOnIsABallThatIsSaid) {
                                 "x^2 + y^2 + z^2 = 101", "log(x) = y"}) {
         const Scene scene = load(formula);
         EXPECT_EQ(scene.surface.found_bounds, std::optional(false)) << formula;
-        EXPECT_EQ(at(scene, scene.timeline.values(1)).bounds.radius, 3) << formula;
+        EXPECT_EQ(at_frame(scene, 1).surface.bounds.radius, 3) << formula;
     }
 }
 
@@ -53,10 +53,11 @@ TEST(FoundBoundsOf, WhatMovesAreOfAllFrames) {
     const Scene scene = load("(x - 4*sin(t))^2 + y^2 + z^2 = 0.25");
     EXPECT_EQ(scene.timeline.frames, 120);
     for (const int frame : {1, 48, 120}) {
-        const SceneAt now = at(scene, scene.timeline.values(frame));
+        const SceneAt now = at_frame(scene, frame);
         const double x = 4 * std::sin((frame - 1) / 30.0);
-        EXPECT_GE(now.bounds.radius, glm::length(now.bounds.centre - glm::dvec3(x, 0, 0)) + 0.5);
-        EXPECT_LE(now.bounds.radius, 6);
+        EXPECT_GE(now.surface.bounds.radius,
+                  glm::length(now.surface.bounds.centre - glm::dvec3(x, 0, 0)) + 0.5);
+        EXPECT_LE(now.surface.bounds.radius, 6);
     }
 }
 
@@ -64,10 +65,11 @@ TEST(FoundBoundsOf, WhatMovesAreOfAllFrames) {
 TEST(FoundBoundsOf, WhatSwingsFastAreOfAllFrames) {
     const Scene scene = load("(x - 2*sin(47*t))^2 + (y - 2*cos(31*t))^2 + z^2 = 0.25");
     for (int frame = 1; frame <= 120; ++frame) {
-        const SceneAt now = at(scene, scene.timeline.values(frame));
+        const SceneAt now = at_frame(scene, frame);
         const double t = (frame - 1) / 30.0;
         const glm::dvec3 middle(2 * std::sin(47 * t), 2 * std::cos(31 * t), 0);
-        EXPECT_GE(now.bounds.radius, glm::length(now.bounds.centre - middle) + 0.5) << frame;
+        EXPECT_GE(now.surface.bounds.radius, glm::length(now.surface.bounds.centre - middle) + 0.5)
+            << frame;
     }
 }
 
@@ -93,8 +95,7 @@ azimuth = "10*t"
     const Scene one = scene(1), many = scene(80);
     ASSERT_EQ(one.surface.found_bounds, std::optional(true));
     EXPECT_EQ(many.surface.found_bounds, std::optional(true));
-    EXPECT_EQ(at(many, many.timeline.values(80)).bounds.radius,
-              at(one, one.timeline.values(1)).bounds.radius);
+    EXPECT_EQ(at_frame(many, 80).surface.bounds.radius, at_frame(one, 1).surface.bounds.radius);
 }
 
 TEST(FoundBoundsOf, ElementsHoldThemOrAreTooMany) {
@@ -116,11 +117,13 @@ cz = "2*random(i, 1) - 1"
     const Scene few = scene(20);
     EXPECT_EQ(few.surface.found_bounds, std::optional(true));
     for (int frame = 1; frame <= 30; ++frame) {
-        const SceneAt now = at(few, few.timeline.values(frame));
-        const auto& p = now.bindings.arrays[0];
+        const SceneAt now = at_frame(few, frame);
+        const auto& p = now.surface.bindings.arrays[0];
         for (std::size_t e = 0; e < 20; ++e) {
             const glm::dvec3 middle(p.fields[0][e], p.fields[1][e], p.fields[2][e]);
-            EXPECT_GE(now.bounds.radius, glm::length(now.bounds.centre - middle) + 0.2) << frame;
+            EXPECT_GE(now.surface.bounds.radius,
+                      glm::length(now.surface.bounds.centre - middle) + 0.2)
+                << frame;
         }
     }
     try {
@@ -142,10 +145,11 @@ TEST(FoundBoundsOf, WhatASettingMovesHoldIt) {
     for (const Scene* scene : {&drifting, &swinging}) {
         ASSERT_TRUE(are_bounds_found(*scene));
         for (const double part : {0.0, 0.25, 0.5, 0.75}) {
-            const SceneAt now = at(*scene, scene->timeline.values(60, part));
+            const SceneAt now = at_frame(*scene, 60, part);
             const double reach =
-                glm::length(now.bounds.centre - glm::dvec3(now.bindings.parameters.at(0), 0, 0));
-            EXPECT_GE(now.bounds.radius, reach + 1) << part;
+                glm::length(now.surface.bounds.centre -
+                            glm::dvec3(now.surface.bindings.parameters.at(0), 0, 0));
+            EXPECT_GE(now.surface.bounds.radius, reach + 1) << part;
         }
     }
 }
@@ -164,7 +168,7 @@ TEST(WordOf, LoadsTheSceneAgain) {
 
 TEST(FoundBoundsOf, AFormulaIsASceneWithParametersThatAreSet) {
     const Scene scene = load("x^2 + y^2 + z^2 = a", {"a=4"});
-    EXPECT_NEAR(at(scene, scene.timeline.values(1)).bounds.radius, 2.15, 0.15);
+    EXPECT_NEAR(at_frame(scene, 1).surface.bounds.radius, 2.15, 0.15);
     EXPECT_EQ(scene.title, "x^2 + y^2 + z^2 = a");
     EXPECT_EQ(load("x^2 + y^2 + z^2 = 4", {"surface.bounds={sphere=7}"}).surface.found_bounds,
               std::nullopt);

@@ -46,7 +46,7 @@ color = [1, 0, 0]
 )";
 
 double parameter(const Scene& scene, const char* name) {
-    const auto& animation = scene.timeline.animation;
+    const auto& animation = scene.surface.animation;
     return animation.at(0).tracks[std::size_t(animation.find(name).value())];
 }
 
@@ -81,15 +81,16 @@ TEST(Surfaces, SettingsReplaceWhatExcludesThem) {
     boxed.replace(boxed.find("{ sphere = 2 }"), 14, "{ box = [[-2, -2, -2], [2, 2, 2]] }");
     for (const char* name : {"ball", "1"}) {
         const Scene scene = read(boxed, {fmt::format("surfaces.{}.bounds.sphere=3", name)});
-        EXPECT_EQ(at(scene, scene.timeline.values(1)).bounds.radius, 3);
+        EXPECT_EQ(at_frame(scene, 1).surface.bounds.radius, 3);
     }
     const Scene back = read(two, {"surfaces.ball.bounds.box=[[-1, -1, -1], [1, 1, 1]]"});
     EXPECT_EQ(back.surface.bounds.shape, Bounds::Shape::box);
     // A key by its former name.
     const Scene moved = read(two, {"surfaces.ring.placement.scale=3"});
-    EXPECT_EQ(at(moved, moved.timeline.values(1)).others[0].placement.scale, 3);
-    EXPECT_THAT(read(two, {"surfaces.ring.material.inside=[0, 0, 1]"}).others[0].material.inside,
-                testing::Ne(std::nullopt));
+    EXPECT_EQ(at_frame(moved, 1).others[0].surface.placement.scale, 3);
+    EXPECT_THAT(
+        read(two, {"surfaces.ring.material.inside=[0, 0, 1]"}).others[0].surface.material.inside,
+        testing::Ne(std::nullopt));
 }
 
 TEST(Surfaces, HaveTheirOwnAndWhatTheyShare) {
@@ -102,32 +103,33 @@ TEST(Surfaces, HaveTheirOwnAndWhatTheyShare) {
     EXPECT_EQ(parameter(scene, "r"), 1);
     EXPECT_EQ(parameter(ring, "a"), 0.2);
     EXPECT_EQ(parameter(ring, "c"), 1.5); // shared, before the catalogue's
-    EXPECT_EQ(scene.isolation.method, Method::hermite);
-    EXPECT_EQ(ring.isolation.method, Method::interval);
-    const SceneAt now = at(scene, scene.timeline.values(1));
-    EXPECT_EQ(now.material_color, glm::dvec3(1, 0, 0));
-    EXPECT_EQ(now.others[0].material_color, glm::dvec3(0, 1, 0));
-    EXPECT_EQ(now.others[0].placement.scale, 2);
+    EXPECT_EQ(scene.surface.isolation.method, Method::hermite);
+    EXPECT_EQ(ring.surface.isolation.method, Method::interval);
+    const SceneAt now = at_frame(scene, 1);
+    EXPECT_EQ(now.surface.color, glm::dvec3(1, 0, 0));
+    EXPECT_EQ(now.others[0].surface.color, glm::dvec3(0, 1, 0));
+    EXPECT_EQ(now.others[0].surface.placement.scale, 2);
 }
 
 TEST(Surfaces, AreAllProvedOrNone) {
-    EXPECT_FALSE(read(two).isolation.certify);
+    EXPECT_FALSE(read(two).surface.isolation.certify);
     const Scene scene = read(two, {"surfaces.ring.isolation.certify=true"});
-    EXPECT_TRUE(scene.isolation.certify);
-    EXPECT_TRUE(scene.others[0].isolation.certify);
+    EXPECT_TRUE(scene.surface.isolation.certify);
+    EXPECT_TRUE(scene.others[0].surface.isolation.certify);
 }
 
 TEST(Surfaces, TheCameraSeesAll) {
     const Scene scene = read(two);
-    const SceneAt now = at(scene, scene.timeline.values(1));
+    const SceneAt now = at_frame(scene, 1);
     const SceneAt& ring = now.others[0];
     EXPECT_EQ(now.camera, ring.camera);
     const double slope = std::sin(glm::radians(0.5 * now.camera.fov));
     const double way = glm::length(now.camera.target - now.camera.position);
     for (const SceneAt* surface : {&now, &ring}) {
-        const glm::dvec3 middle = surface->placement.to_world(surface->bounds.centre);
+        const glm::dvec3 middle =
+            surface->surface.placement.to_world(surface->surface.bounds.centre);
         const double reach = glm::length(middle - now.camera.target) +
-                             surface->bounds.radius * surface->placement.scale;
+                             surface->surface.bounds.radius * surface->surface.placement.scale;
         EXPECT_LE(reach, way * slope * (1 + 1e-9));
     }
 }
@@ -146,7 +148,7 @@ TEST(Surfaces, AreSetByNameAndNumber) {
     EXPECT_EQ(parameter(read(two, {"surfaces.ring.parameters.a=0.3"}).others[0], "a"), 0.3);
     EXPECT_EQ(parameter(read(two, {"surfaces.2.parameters.a=0.4"}).others[0], "a"), 0.4);
     const Scene moved = read(two, {"surfaces.ring.transform.scale=3"});
-    EXPECT_EQ(at(moved, moved.timeline.values(1)).others[0].placement.scale, 3);
+    EXPECT_EQ(at_frame(moved, 1).others[0].surface.placement.scale, 3);
     EXPECT_THAT(message_of(two, {"surfaces.rung.jumps=true"}), HasSubstr("name or the number"));
 }
 
@@ -155,7 +157,7 @@ TEST(Surfaces, OneAloneIsASceneOfItsOwn) {
     const Scene ring = alone(scene, surface_named(scene, "ring"));
     EXPECT_TRUE(ring.others.empty());
     EXPECT_EQ(ring.among.count, 1);
-    EXPECT_NO_THROW(at(ring, ring.timeline.values(1)));
+    EXPECT_NO_THROW(at_frame(ring, 1));
     EXPECT_THROW(surface_named(scene, "rung"), SceneError);
     try {
         expect_one_surface(scene, "a page");
@@ -185,14 +187,14 @@ TEST(Surfaces, MistakesHaveTheirLine) {
 
 TEST(Surfaces, AreWhereTheFirstOneHasThem) {
     const Scene scene = read(two + "[camera]\nposition = [3, -9, 2]\n");
-    SceneAt now = at(scene, scene.timeline.values(1));
-    now.placement.translate = {7, 1, 2}; // of the first
-    now.placement.scale = 0.5;
+    SceneAt now = at_frame(scene, 1);
+    now.surface.placement.translate = {7, 1, 2}; // of the first
+    now.surface.placement.scale = 0.5;
     const SceneAt there = in_formula_coordinates(now);
     for (const glm::dvec3 place : {glm::dvec3(0), glm::dvec3(1, 2, 3)}) {
-        const glm::dvec3 world = now.others[0].placement.to_world(place);
-        const glm::dvec3 moved = there.others[0].placement.to_world(place);
-        EXPECT_LT(glm::length(now.placement.to_local(world) - moved), 1e-12);
+        const glm::dvec3 world = now.others[0].surface.placement.to_world(place);
+        const glm::dvec3 moved = there.others[0].surface.placement.to_world(place);
+        EXPECT_LT(glm::length(now.surface.placement.to_local(world) - moved), 1e-12);
     }
     EXPECT_EQ(there.others[0].camera, there.camera);
 }
@@ -225,11 +227,11 @@ TEST(Surfaces, AbsorptionOfAllIsPerUnitOfTheCoordinates) {
         "[[surfaces]]\nformula = \"x\"\nbounds = { sphere = 1 }\ntransform = { "
         "scale = 4 }\nmaterial = { transmission = 1, absorption = [0.5, 0, 1] }\n";
     const Scene scene = read(one + one);
-    const SceneAt world = at(scene, scene.timeline.animation.at(0));
+    const SceneAt world = at(scene, 0);
     const SceneAt now = in_formula_coordinates(world);
-    EXPECT_EQ(world.others[0].glass.absorption, glm::dvec3(0.5, 0, 1));
-    EXPECT_EQ(now.glass.absorption, glm::dvec3(2, 0, 4));
-    EXPECT_EQ(now.others[0].glass.absorption, glm::dvec3(2, 0, 4));
+    EXPECT_EQ(world.others[0].surface.glass.absorption, glm::dvec3(0.5, 0, 1));
+    EXPECT_EQ(now.surface.glass.absorption, glm::dvec3(2, 0, 4));
+    EXPECT_EQ(now.others[0].surface.glass.absorption, glm::dvec3(2, 0, 4));
 }
 
 } // namespace

@@ -51,9 +51,7 @@ protected:
     }
 
     Scene loaded(const std::string& text, const std::vector<Override>& overrides = {}) const;
-    SceneAt at_time(const Scene& scene, double time) const {
-        return at(scene, scene.timeline.animation.at(time));
-    }
+    SceneAt at_time(const Scene& scene, double time) const { return at(scene, time); }
 
     // What load says about a scene with a mistake: names of files are relative to the folder.
     std::string mistake(const std::string& text, const std::vector<Override>& overrides = {}) const;

@@ -116,21 +116,21 @@ TEST_F(FieldThresholds, OfAConstantFieldLeaveTheBaseStep) {
 
 TEST_F(FieldThresholds, FillInWhatASceneLeavesOut) {
     const std::string text = "[surface]\nformula = \"" + sphere + "\"\nbounds = { sphere = 1.2 }\n";
-    const Isolation all = loaded(text).isolation;
+    const Isolation all = loaded(text).surface.isolation;
     EXPECT_DOUBLE_EQ(all.step, 0.012);
     EXPECT_DOUBLE_EQ(all.far, 4 * all.near);
 
-    const Isolation some = loaded(text + "[isolation]\nhorizon = 0.5\n").isolation;
+    const Isolation some = loaded(text + "[isolation]\nhorizon = 0.5\n").surface.isolation;
     EXPECT_EQ(some.horizon, 0.5);
     EXPECT_EQ(some.near, all.near);
     EXPECT_EQ(some.far, all.far);
 
     // `far` is never nearer than `near`.
-    const Isolation wide = loaded(text + "[isolation]\nnear = 3\n").isolation;
+    const Isolation wide = loaded(text + "[isolation]\nnear = 3\n").surface.isolation;
     EXPECT_EQ(wide.near, 3);
     EXPECT_EQ(wide.far, 3);
 
-    const Isolation coarse = loaded(text + "[isolation]\nstep = 0.12\n").isolation;
+    const Isolation coarse = loaded(text + "[isolation]\nstep = 0.12\n").surface.isolation;
     EXPECT_NEAR(coarse.near, 10 * all.near, 1e-9);
 }
 

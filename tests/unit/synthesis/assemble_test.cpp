@@ -157,7 +157,7 @@ TEST_F(Assemble, NoValueIsInTheTextOfAnyPass) {
         for (const Stage stage : {Stage::fragment, Stage::compute}) {
             scene::Scene one = called(one_set_of_values, more, "0.25");
             scene::Scene other = called(another_set_of_values, more, "0.5");
-            one.isolation.certify = other.isolation.certify = true;
+            one.surface.isolation.certify = other.surface.isolation.certify = true;
             expect_same_text(assemble(one, channels, {stage}), assemble(other, channels, {stage}));
             expect_same_text(assemble(one, {}, {stage}), assemble(other, {}, {stage}));
             for (const Pass& pass : assemble(one, channels, {stage}).list) roles.insert(pass.role);
@@ -321,7 +321,7 @@ TEST_F(Assemble, ProofsAddAChannelToThePictureAndChangeNoOtherShader) {
 // Whose sums go over all elements, however many.
 scene::Scene of_all_elements(int count) {
     scene::Scene scene = scene_of(blobs_text(count));
-    scene.isolation.beam = false;
+    scene.surface.isolation.beam = false;
     return scene;
 }
 

@@ -515,9 +515,9 @@ TEST_P(IntervalOnGpu, BoundsOfTheCatalogueHoldAndAreNarrow) {
     for (const auto& entry : std::filesystem::directory_iterator(folder)) {
         const std::string name = entry.path().stem().string();
         const scene::Scene scene = scene_of(fmt::format("[surface]\nuse = '{}'\n", name));
-        const auto now = scene::at(scene, scene.timeline.values(1));
-        Subject subject(name, *scene.surface.field, now.bindings);
-        const auto reach = float(now.bounds.radius);
+        const auto now = scene::at_frame(scene, 1);
+        Subject subject(name, *scene.surface.field, now.surface.bindings);
+        const auto reach = float(now.surface.bounds.radius);
         std::vector<GpuBox> boxes(256);
         for (GpuBox& box : boxes) {
             const float size = reach * std::pow(10.0f, random.in(-4, 0));

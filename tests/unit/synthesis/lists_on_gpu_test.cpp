@@ -17,7 +17,7 @@ std::array<glm::dvec2, 2> without_elements(const scene::Scene& scene, glm::vec3 
     use_shaders_of_source_tree();
     const formula::Field& field = *scene.surface.field;
     const FieldStorage storage = field_storage(field, scene.surface.parameters,
-                                               scene.timeline.animation.counts(), {true, {}});
+                                               scene.surface.animation.counts(), {true, {}});
     ShaderText text;
     add_enclosures(text, field, storage,
                    {FieldFunction::value_interval, FieldFunction::directional_interval});

@@ -38,12 +38,15 @@ protected:
     static void expect_same(const scene::Scene& a, const scene::Scene& b) {
         ASSERT_EQ(a.timeline.frames, b.timeline.frames);
         for (int frame = 1; frame <= a.timeline.frames; ++frame) {
-            ASSERT_EQ(a.timeline.values(frame), b.timeline.values(frame)) << frame;
+            ASSERT_EQ(a.surface.animation.at(a.timeline.time(frame)),
+                      b.surface.animation.at(b.timeline.time(frame)))
+                << frame;
         }
     }
     static double value(const scene::Scene& scene, const std::string& track, int frame) {
-        const auto& animation = scene.timeline.animation;
-        return scene.timeline.values(frame).tracks[std::size_t(animation.find(track).value())];
+        const auto& animation = scene.surface.animation;
+        return scene.surface.animation.at(scene.timeline.time(frame))
+            .tracks[std::size_t(animation.find(track).value())];
     }
     scene::Scene table(const std::string& interpolation) const {
         write("drops.csv", "frame,id,px,mass\n1,1,0,8\n1,2,1,1\n25,2,3,1\n25,1,-1,27\n");
@@ -73,8 +76,8 @@ TEST_F(Controls, SoIsAFieldThatAllElementsShare) {
     // The elements' places are made of w.
     const scene::Scene fixed = apply(scene, {{{"blobs.w", 2.5}}, {}});
     expect_same(fixed, loaded(moving, {"arrays.blobs.w=2.5"}));
-    EXPECT_NE(fixed.timeline.values(9).arrays[0].fields[0],
-              scene.timeline.values(9).arrays[0].fields[0]);
+    EXPECT_NE(fixed.surface.animation.at(fixed.timeline.time(9)).arrays[0].fields[0],
+              scene.surface.animation.at(scene.timeline.time(9)).arrays[0].fields[0]);
 }
 
 TEST_F(Controls, WhatIsGivenBackMovesAgain) {
@@ -106,13 +109,13 @@ TEST_F(Controls, NumbersThatAreNoneAreRefused) {
 // Fields in the order of the file's keys, which is that of the alphabet.
 TEST_F(Controls, FactorsMultiplyEveryElement) {
     const scene::Scene scene = loaded(moving);
-    const auto& array = scene.timeline.animation.arrays().at(0);
+    const auto& array = scene.surface.animation.arrays().at(0);
     for (const std::string name : {"cx", "cy"}) {
         for (const double factor : {0.0, 0.3, 1.0, 2.0, -1.5, 1e-9}) {
             const scene::Scene scaled = apply(scene, {{}, {{"blobs." + name, factor}}});
             for (const int frame : {1, 20, 49}) {
-                const Values before = scene.timeline.values(frame),
-                             after = scaled.timeline.values(frame);
+                const Values before = scene.surface.animation.at(scene.timeline.time(frame)),
+                             after = scaled.surface.animation.at(scaled.timeline.time(frame));
                 EXPECT_EQ(before.tracks, after.tracks);
                 for (std::size_t f = 0; f < array.fields.size(); ++f) {
                     auto expected = before.arrays[0].fields[f];
@@ -133,9 +136,10 @@ TEST_F(Controls, FactorsOfFilesColumnsReachWhatIsMadeOfThem) {
     for (const std::string interpolation : {"linear", "hold"}) {
         const scene::Scene scene = table(interpolation);
         const auto column = [&](const scene::Scene& of, const std::string& name, int frame) {
-            const auto& fields = of.timeline.animation.arrays().at(0).fields;
+            const auto& fields = of.surface.animation.arrays().at(0).fields;
             for (std::size_t f = 0; f < fields.size(); ++f) {
-                if (fields[f].name == name) return of.timeline.values(frame).arrays[0].fields[f];
+                if (fields[f].name == name)
+                    return of.surface.animation.at(of.timeline.time(frame)).arrays[0].fields[f];
             }
             return std::vector<double>{};
         };
@@ -158,8 +162,8 @@ TEST_F(Controls, TheFormulaStays) {
     const scene::Scene scene = loaded(moving);
     const scene::Scene fixed = apply(scene, {{{"m", 1}}, {{"blobs.cx", 2}}});
     EXPECT_EQ(fixed.surface.field, scene.surface.field);
-    const auto m = std::size_t(scene.timeline.animation.find("m").value());
-    EXPECT_EQ(at_time(fixed, 0.5).bindings.parameters.at(m), 1);
+    const auto m = std::size_t(scene.surface.animation.find("m").value());
+    EXPECT_EQ(at_time(fixed, 0.5).surface.bindings.parameters.at(m), 1);
 }
 
 TEST_F(Controls, SpansHoldWhatTheTimelineTakes) {
@@ -211,7 +215,8 @@ TEST_F(Controls, SlidersTellWhatIsHeld) {
     const scene::Scene scene = loaded(moving);
     const Overrides overrides{{{"m", 9}}, {}};
     const scene::Scene held = apply(scene, overrides);
-    const auto found = sliders(slider_ranges(scene), held.timeline.values(20), overrides);
+    const auto found =
+        sliders(slider_ranges(scene), held.surface.animation.at(held.timeline.time(20)), overrides);
     std::vector<std::string> names;
     for (const Slider& slider : found) {
         names.push_back(slider.name);
@@ -225,7 +230,8 @@ TEST_F(Controls, SlidersTellWhatIsHeld) {
 TEST_F(Controls, ArraysTellTheirCountAndHaveFactors) {
     const scene::Scene scene = loaded(moving);
     const Overrides overrides{{}, {{"blobs.cy", 2.5}}};
-    const auto found = array_controls(scene, scene.timeline.values(1), overrides);
+    const auto found =
+        array_controls(scene, scene.surface.animation.at(scene.timeline.time(1)), overrides);
     ASSERT_EQ(found.size(), 1u);
     EXPECT_EQ(found[0].name, "blobs");
     EXPECT_EQ(found[0].count, 5);
@@ -264,7 +270,8 @@ TEST_F(Controls, FitEveryAnimationOfTheGallery) {
         const scene::Scene scene = scene::load(name);
         const auto found = slider_ranges(scene);
         for (const int frame : {1, (1 + scene.timeline.frames) / 2, scene.timeline.frames}) {
-            for (const Slider& slider : sliders(found, scene.timeline.values(frame), {})) {
+            for (const Slider& slider :
+                 sliders(found, scene.surface.animation.at(scene.timeline.time(frame)), {})) {
                 EXPECT_LT(slider.least, slider.most) << slider.name;
                 EXPECT_LE(slider.least, slider.value + 0.1 * (slider.most - slider.least));
                 EXPECT_GE(slider.most, slider.value - 0.1 * (slider.most - slider.least));
@@ -273,12 +280,12 @@ TEST_F(Controls, FitEveryAnimationOfTheGallery) {
         }
         // Held where it is, nothing that is seen changes.
         const int poster = scene.output.poster;
-        const Values values = scene.timeline.values(poster);
+        const Values values = scene.surface.animation.at(scene.timeline.time(poster));
         Overrides all;
         for (const Slider& slider : sliders(found, values, {})) {
             all.values[slider.name] = slider.value;
         }
-        EXPECT_EQ(apply(scene, all).timeline.values(poster), values);
+        EXPECT_EQ(apply(scene, all).surface.animation.at(scene.timeline.time(poster)), values);
     }
     EXPECT_GT(checked, 100);
 }

@@ -72,8 +72,8 @@ TEST(EventRings, AreWhereTheRaysOfThePictureGo) {
         now.camera.height = size * random.in(0.5, 2);
         now.camera.projection =
             random.below(2) == 0 ? Projection::perspective : Projection::orthographic;
-        now.bounds.centre = now.camera.target;
-        now.bounds.radius = 0.01 * size;
+        now.surface.bounds.centre = now.camera.target;
+        now.surface.bounds.radius = 0.01 * size;
         const scene::Rays rays = scene::rays(now, width, height);
         const double u = random.in(-1, 1), v = random.in(-1, 1), along = random.in(0.1, 9);
         const glm::dvec3 across = u * rays.right + v * rays.up;
@@ -133,9 +133,9 @@ TEST(EventRings, AWidePictureShowsMoreBesides) {
 TEST(EventRings, AreInTheWorldWhereTheirSurfaceIs) {
     scene::SceneAt now;
     now.camera = right_angle();
-    now.placement.translate = {0.5, 0, 0};
+    now.surface.placement.translate = {0.5, 0, 0};
     now.others.emplace_back();
-    scene::PlacementAt& second = now.others[0].placement;
+    scene::PlacementAt& second = now.others[0].surface.placement;
     second.translate = {-1, 1, 0};
     second.scale = 2;
     second.rotate = glm::dmat3(0, 1, 0, -1, 0, 0, 0, 0, 1); // by a right angle: x becomes y

@@ -44,8 +44,8 @@ double elevation(const CameraAt& c) {
 scene::Rays rays_of(const CameraAt& camera) {
     scene::SceneAt now;
     now.camera = camera;
-    now.bounds.centre = camera.target; // the plane of anchors goes through the target
-    now.bounds.radius = 0.01 * distance(camera);
+    now.surface.bounds.centre = camera.target; // the plane of anchors goes through the target
+    now.surface.bounds.radius = 0.01 * distance(camera);
     return scene::rays(now, width, height);
 }
 

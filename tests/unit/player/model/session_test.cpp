@@ -14,16 +14,16 @@ namespace {
 void expect_same(const scene::SceneAt& a, const scene::SceneAt& b) {
     EXPECT_EQ(a.time, b.time);
     EXPECT_EQ(a.camera, b.camera);
-    EXPECT_EQ(a.bindings.parameters, b.bindings.parameters);
-    EXPECT_EQ(a.bounds.radius, b.bounds.radius);
-    EXPECT_EQ(a.cubic_steps, b.cubic_steps);
+    EXPECT_EQ(a.surface.bindings.parameters, b.surface.bindings.parameters);
+    EXPECT_EQ(a.surface.bounds.radius, b.surface.bounds.radius);
+    EXPECT_EQ(a.surface.cubic_steps, b.surface.cubic_steps);
     ASSERT_EQ(a.lights.size(), b.lights.size());
     for (std::size_t k = 0; k < a.lights.size(); ++k) {
         EXPECT_EQ(a.lights[k].direction, b.lights[k].direction);
     }
-    ASSERT_EQ(a.bindings.arrays.size(), b.bindings.arrays.size());
-    for (std::size_t k = 0; k < a.bindings.arrays.size(); ++k) {
-        EXPECT_EQ(a.bindings.arrays[k].fields, b.bindings.arrays[k].fields);
+    ASSERT_EQ(a.surface.bindings.arrays.size(), b.surface.bindings.arrays.size());
+    for (std::size_t k = 0; k < a.surface.bindings.arrays.size(); ++k) {
+        EXPECT_EQ(a.surface.bindings.arrays[k].fields, b.surface.bindings.arrays[k].fields);
     }
 }
 
@@ -32,7 +32,7 @@ scene::SceneAt as_rendered(const Session& session, int frame, glm::ivec2 size) {
     overrides.push_back("output.size=[" + std::to_string(size.x) + "," + std::to_string(size.y) +
                         "]");
     const scene::Scene scene = scene::load(session.scene().file.string(), overrides);
-    return scene::at(scene, scene.timeline.values(frame));
+    return scene::at_frame(scene, frame);
 }
 
 TEST(Session, ShowsWhatRenderIsTold) {
@@ -66,7 +66,7 @@ TEST(Session, ElementsAreMultipliedInRenderToo) {
     const scene::Output& output = session.scene().output;
     const glm::ivec2 size(output.width, output.height);
     const scene::SceneAt held = session.at(9);
-    EXPECT_NE(held.bindings.arrays[0].fields, before.bindings.arrays[0].fields);
+    EXPECT_NE(held.surface.bindings.arrays[0].fields, before.surface.bindings.arrays[0].fields);
     expect_same(held, as_rendered(session, 9, size));
 }
 
@@ -97,7 +97,7 @@ TEST(Session, AReloadKeepsWhatIsHeld) {
     EXPECT_EQ(session.look(), look);
     EXPECT_GT(session.revision(), revision);
     EXPECT_EQ(frame_at(session.playback, 9).frame, 77);
-    EXPECT_EQ(session.at(77).material_color, glm::dvec3(1, 0, 0));
+    EXPECT_EQ(session.at(77).surface.color, glm::dvec3(1, 0, 0));
 }
 
 TEST(Session, SettingsOfAMethodFollowTheFileUntilTheyAreTouched) {
