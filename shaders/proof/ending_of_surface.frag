@@ -1,5 +1,5 @@
 // Where a pixel's ray ended, for the proofs of one surface among several: on it, or on another one, up to
-// which it has to miss this one. See render/proofs_of_surfaces.h.
+// which it has to miss this one. See render/picture_proofs.h.
 layout(location = 0) out vec4 ending; // as channels/ending.glsl; t up to which there is something to prove
 
 uniform sampler2D way_to_end;      // of all surfaces: channels/ending.glsl on the first one's ray

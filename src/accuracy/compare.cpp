@@ -94,7 +94,7 @@ Errors compare(const scene::SceneAt& now, const image::Frame& drawn, const truth
         double t = 0;
         if (hit) {
             const glm::dvec3 p = vector_of(drawn, "P.X", "P.Y", "P.Z", pixel);
-            t = glm::dot(now.surface.placement.to_local(p) - tube.anchor, tube.direction);
+            t = glm::dot(now.surfaces.front().placement.to_local(p) - tube.anchor, tube.direction);
         }
         Fault fault = judge(root, hit, t, tube.footprint);
         if (hit && fault == Fault::none && is_of_another_surface(surfaces, pixel, root))
@@ -114,7 +114,7 @@ Errors compare(const scene::SceneAt& now, const image::Frame& drawn, const truth
         const double certain = 0.5 * (double(root.low) + double(root.high));
         errors.depth.push_back(float(std::abs(t - certain) / tube.footprint));
         glm::dvec3 gradient(root.gradient[0], root.gradient[1], root.gradient[2]);
-        const glm::dvec3 normal = glm::transpose(now.surface.placement.rotate) *
+        const glm::dvec3 normal = glm::transpose(now.surfaces.front().placement.rotate) *
                                   vector_of(drawn, "N.X", "N.Y", "N.Z", pixel);
         const double size = glm::length(gradient) * glm::length(normal);
         if (!(size > 0) || !std::isfinite(size)) continue;

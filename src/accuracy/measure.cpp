@@ -7,7 +7,6 @@
 #include <fmt/format.h>
 
 #include "accuracy/truth_cache.h"
-#include "scene/nth_surface.h"
 
 namespace isomotion::accuracy {
 namespace {
@@ -30,8 +29,9 @@ Measurement measure_one(gpu::Context& context, const scene::Scene& scene, const 
     options.stage = how.stage;
     render::Renderer timed(context, changed, options);
     options.channels = compared_channels;
-    if (scene::has_several_surfaces(scene)) options.channels.push_back(synthesis::Channel::surface);
-    if (scene.surface.isolation.certify) options.channels.push_back(synthesis::Channel::proof);
+    if (scene.surfaces.size() > 1) options.channels.push_back(synthesis::Channel::surface);
+    if (scene.surfaces.front().isolation.certify)
+        options.channels.push_back(synthesis::Channel::proof);
     render::Renderer looked_at(context, changed, options);
     Popping popping;
     std::vector<double> ms;
@@ -85,7 +85,7 @@ std::vector<Measurement> measure(gpu::Context& context, const scene::Scene& scen
     }
     std::vector<Measurement> measurements;
     for (const Setting& setting : settings) {
-        tell(name(setting, scene.surface.isolation),
+        tell(name(setting, scene.surfaces.front().isolation),
              double(measurements.size()) / double(settings.size()));
         try {
             measurements.push_back(measure_one(context, sized, setting, truths, how));

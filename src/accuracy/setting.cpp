@@ -29,28 +29,27 @@ bool is_own(const Setting& setting, const scene::Isolation& own) {
 } // namespace
 
 scene::Scene apply(const Setting& setting, scene::Scene scene) {
-    scene::Isolation& isolation = scene.surface.isolation;
-    if (!is_own(setting, isolation)) {
+    const scene::Isolation first = scene.surfaces.front().isolation;
+    const bool keeps_others = is_own(setting, first);
+    for (scene::Surface& surface : scene.surfaces) {
+        const bool is_first = &surface == &scene.surfaces.front();
+        if (!is_first && keeps_others) break;
+        scene::Isolation& isolation = surface.isolation;
         // Steps are lengths of each surface's own.
-        for (scene::Scene& other : scene.others) {
-            Setting same = setting;
-            same.step *= other.surface.isolation.step / isolation.step;
-            other = apply(same, std::move(other));
-        }
+        isolation.step = is_first ? setting.step : setting.step * (isolation.step / first.step);
+        isolation.method = setting.method;
+        isolation.near *= setting.thresholds;
+        isolation.far *= setting.thresholds;
+        isolation.horizon *= setting.thresholds;
+        isolation.bisections = setting.bisections;
+        isolation.safety = setting.safety;
     }
-    isolation.method = setting.method;
-    isolation.step = setting.step;
-    isolation.near *= setting.thresholds;
-    isolation.far *= setting.thresholds;
-    isolation.horizon *= setting.thresholds;
-    isolation.bisections = setting.bisections;
-    isolation.safety = setting.safety;
     return scene;
 }
 
 std::vector<Setting> sweep(const scene::Scene& scene, std::vector<scene::Method> methods,
                            std::vector<double> steps) {
-    const scene::Isolation& own = scene.surface.isolation;
+    const scene::Isolation& own = scene.surfaces.front().isolation;
     const bool narrowed = !methods.empty() || !steps.empty();
     if (methods.empty()) {
         for (const scene::MethodTraits& entry : scene::method_traits)

@@ -17,10 +17,8 @@ constexpr std::string_view version = "isomotion truth 5";
 
 static_assert(std::is_trivially_copyable_v<truth::FirstRoot>);
 
-std::string fingerprint(const scene::Scene& scene, const scene::SceneAt& now, int width, int height,
-                        const truth::Budget& budget) {
-    base::Fingerprint print;
-    print.add(version).add(scene.surface.field->text);
+void add(base::Fingerprint& print, const formula::Field& field, const scene::OneSurfaceAt& now) {
+    print.add(field.text);
     const auto add_values = [&](std::initializer_list<double> values) {
         print.add_values(std::span(values.begin(), values.size()));
     };
@@ -29,11 +27,11 @@ std::string fingerprint(const scene::Scene& scene, const scene::SceneAt& now, in
         add_values({double(array.count)});
         for (const auto& field : array.fields) print.add_values(std::span(field));
     }
-    for (const scene::SectionAt& section : now.sections) {
+    for (const scene::SectionAt& section : now.scene.sections) {
         add_values({double(section.is_ball), section.where.x, section.where.y, section.where.z,
                     section.reach});
     }
-    const scene::CameraAt& camera = now.camera;
+    const scene::CameraAt& camera = now.scene.camera;
     const scene::PlacementAt& place = now.surface.placement;
     for (const glm::dvec3& v :
          {now.surface.bounds.min, now.surface.bounds.max, now.surface.bounds.centre,
@@ -43,11 +41,18 @@ std::string fingerprint(const scene::Scene& scene, const scene::SceneAt& now, in
     }
     add_values({double(now.surface.bounds.shape == scene::Bounds::Shape::box),
                 now.surface.bounds.radius, place.scale, camera.fov, camera.height, camera.zoom,
-                double(camera.projection == scene::Camera::Projection::orthographic), double(width),
-                double(height), double(budget.evaluations), budget.narrow, budget.narrowest,
-                budget.bracket});
-    for (std::size_t k = 0; k < now.others.size(); ++k)
-        print.add(fingerprint(scene.others[k], now.others[k], width, height, budget));
+                double(camera.projection == scene::Camera::Projection::orthographic)});
+}
+
+std::string fingerprint(const scene::Scene& scene, const scene::SceneAt& now, int width, int height,
+                        const truth::Budget& budget) {
+    base::Fingerprint print;
+    print.add(version);
+    for (std::size_t k = 0; k < scene.surfaces.size(); ++k)
+        add(print, *scene.surfaces[k].field, {now, k});
+    const std::array settings{double(width), double(height),   double(budget.evaluations),
+                              budget.narrow, budget.narrowest, budget.bracket};
+    print.add_values(std::span<const double>(settings));
     return print.text();
 }
 

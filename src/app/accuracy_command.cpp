@@ -79,7 +79,7 @@ scene::Scene load(const AccuracyArguments& arguments) {
     as_render.certify = arguments.certify;
     scene::Scene scene = scene::load(arguments.scene, overrides(as_render), arguments.reach);
     if (arguments.surface.empty()) return scene;
-    return scene::alone(scene, scene::surface_named(scene, arguments.surface));
+    return scene::alone({scene, scene::surface_named(scene, arguments.surface)});
 }
 
 // --effects: what each effect of the scene costs.
@@ -136,7 +136,7 @@ accuracy::Report measured(const AccuracyArguments& arguments) {
     accuracy::Report report{scene.title,
                             fmt::format("{}, {}, {} shaders", context->info().renderer,
                                         context->info().version, render::name(stage)),
-                            scene.surface.isolation,
+                            scene.surfaces.front().isolation,
                             measuring.frames,
                             measuring.width,
                             measuring.height,

@@ -8,7 +8,6 @@
 #include "accuracy/measure.h"
 #include "accuracy/truth_cache.h"
 #include "app/progress.h"
-#include "scene/nth_surface.h"
 #include "scene/surfaces.h"
 
 namespace isomotion::app {
@@ -50,7 +49,7 @@ public:
 
     std::string told(const Measurement& of, const scene::Scene& scene) const {
         return fmt::format("{}: {:.1f} ppm wrong, {:.2f} ms a frame of {}x{}",
-                           accuracy::name(of.setting, scene.surface.isolation),
+                           accuracy::name(of.setting, scene.surfaces.front().isolation),
                            of.errors.wrong_ppm(), of.ms, side(scene, scene.output.width),
                            side(scene, scene.output.height));
     }
@@ -72,13 +71,13 @@ std::optional<scene::Isolation> choose_setting(const Measuring& measuring,
                                                const scene::Scene& scene,
                                                const SettingChoice& choice, double max_wrong) {
     std::vector<scene::Method> methods;
-    if (choice.keeps_method) methods.push_back(scene.surface.isolation.method);
+    if (choice.keeps_method) methods.push_back(scene.surfaces.front().isolation.method);
     const auto measurements = measuring.measure(scene, accuracy::sweep(scene, methods, {}));
     const auto found = accuracy::cheapest(measurements, max_wrong);
     if (!found) return std::nullopt;
     const Measurement& best = measurements[*found];
     if (!choice.quiet) {
-        const Setting usual = own_setting(scene.surface.isolation);
+        const Setting usual = own_setting(scene.surfaces.front().isolation);
         const auto own = std::ranges::find_if(measurements, [&](const auto& each) {
             const Setting& s = each.setting;
             return s.method == usual.method && s.step == usual.step && s.safety == usual.safety &&
@@ -91,7 +90,7 @@ std::optional<scene::Isolation> choose_setting(const Measuring& measuring,
             print_result("instead of {}\n", measuring.told(*own, scene));
         }
     }
-    return accuracy::apply(best.setting, scene).surface.isolation;
+    return accuracy::apply(best.setting, scene).surfaces.front().isolation;
 }
 
 } // namespace
@@ -101,7 +100,7 @@ std::optional<std::vector<scene::Isolation>> choose_settings(gpu::Context& conte
                                                              const std::vector<int>& frames,
                                                              const SettingChoice& choice) {
     const Measuring measuring(context, frames, choice);
-    if (!scene::has_several_surfaces(scene)) {
+    if (scene.surfaces.size() == 1) {
         const auto only = choose_setting(measuring, scene, choice, choice.max_wrong);
         if (!only) return std::nullopt;
         return std::vector{*only};
@@ -111,14 +110,14 @@ std::optional<std::vector<scene::Isolation>> choose_settings(gpu::Context& conte
     const std::vector<std::string> names = scene::surface_names(scene);
     for (std::size_t k = 0; k < names.size(); ++k) {
         if (!choice.quiet) print_result("surface {}\n", names[k]);
-        const auto one = choose_setting(measuring, scene::alone(scene, int(k)), choice,
+        const auto one = choose_setting(measuring, scene::alone({scene, k}), choice,
                                         choice.max_wrong / double(names.size()));
         if (!one) return std::nullopt;
         all.push_back(*one);
-        scene::nth_surface(chosen, k).surface.isolation = *one;
+        chosen.surfaces[k].isolation = *one;
     }
     const Measurement together =
-        measuring.measure(chosen, {own_setting(chosen.surface.isolation)}).front();
+        measuring.measure(chosen, {own_setting(chosen.surfaces.front().isolation)}).front();
     if (!choice.quiet) {
         print_result("together: {:.1f} ppm wrong, {:.2f} ms\n", together.errors.wrong_ppm(),
                      together.ms);

@@ -1,7 +1,5 @@
 #include "app/frame_progress.h"
 
-#include "scene/nth_surface.h"
-
 #include <algorithm>
 #include <vector>
 
@@ -23,17 +21,17 @@ std::string what_costs(const scene::Scene& scene) {
         costs.push_back(fmt::format("{} samples a pixel (--set output.samples=1)", samples));
     int depth = 0;
     bool mirrors = false, certifies = false;
-    const auto look_at = [&](const scene::Scene& one) {
-        if (one.surface.material.glass) depth = std::max(depth, one.surface.material.glass->depth);
-        mirrors |= one.surface.material.reflection == scene::Material::Reflection::self;
-        certifies |= one.surface.isolation.certify;
-    };
-    scene::for_each_surface(scene, look_at);
+    std::size_t operations = 0;
+    for (const scene::Surface& surface : scene.surfaces) {
+        if (surface.material.glass) depth = std::max(depth, surface.material.glass->depth);
+        mirrors |= surface.material.reflection == scene::Material::Reflection::self;
+        certifies |= surface.isolation.certify;
+        operations = std::max(operations, surface.field->value.instructions.size());
+    }
     if (depth > 0) costs.push_back(fmt::format("glass {} rays deep (material.glass.depth)", depth));
     if (mirrors) costs.emplace_back("mirrors (material.reflection)");
     if (certifies) costs.emplace_back("proofs (--certify)");
     constexpr std::size_t is_a_lot = 2000;
-    const std::size_t operations = scene.surface.field->value.instructions.size();
     if (operations > is_a_lot)
         costs.push_back(fmt::format("a formula of {} operations", operations));
     costs.push_back(fmt::format("{}x{} pixels (--size)", scene.output.width, scene.output.height));

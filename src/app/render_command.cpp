@@ -19,7 +19,6 @@
 #include "image/frame.h"
 #include "scene/found_bounds.h"
 #include "scene/method.h"
-#include "scene/nth_surface.h"
 #include "scene/sight.h"
 #include "scene/surfaces.h"
 #include "sequence/exporter.h"
@@ -39,8 +38,8 @@ std::string beginning(const sequence::Exporter& exporter, const gpu::ContextInfo
     const auto stage = render::choose_stage(exporter.options().stage, driver);
     return fmt::format("{}: {}, {}x{}, {}, step {:g}; {} ({}), {} shaders\n", scene.title,
                        frames_text(exporter.options().frames.size()), scene.output.width,
-                       scene.output.height, scene::name(scene.surface.isolation.method),
-                       scene.surface.isolation.step, driver.renderer, driver.backend,
+                       scene.output.height, scene::name(scene.surfaces.front().isolation.method),
+                       scene.surfaces.front().isolation.step, driver.renderer, driver.backend,
                        render::name(stage));
 }
 
@@ -105,12 +104,11 @@ std::vector<std::pair<std::string, scene::Sight>> sights_of(const sequence::Expo
     const scene::Scene& scene = exporter.scene();
     const int frame = exporter.options().frames.front();
     const scene::SceneAt now = scene::at_frame(scene, frame);
-    if (!scene::has_several_surfaces(scene)) return {{"", scene::sight(scene, now)}};
     std::vector<std::pair<std::string, scene::Sight>> sights;
-    for (std::size_t k = 0; k < scene::surface_count(scene); ++k) {
-        const scene::Scene one = scene::of_surface(scene, int(k));
-        sights.emplace_back(fmt::format("surface '{}': ", one.surface.label),
-                            scene::sight(one, scene::nth_surface(now, k)));
+    for (std::size_t k = 0; k < scene.surfaces.size(); ++k) {
+        const scene::OneSurface one(scene, k);
+        sights.emplace_back(one.is_alone() ? "" : fmt::format("surface '{}': ", one.surface.label),
+                            scene::sight(one, {now, k}));
     }
     return sights;
 }

@@ -14,7 +14,6 @@
 #include "base/printable.h"
 #include "image/environment.h"
 #include "render/stage.h"
-#include "scene/nth_surface.h"
 #include "scene/reading/load.h"
 #include "scene/scene_at.h"
 #include "scene/sight.h"
@@ -56,9 +55,9 @@ void print_samples(const animation::ElementSamples& samples, double time) {
 }
 
 // What the surface says of a parameter's values.
-std::string range_text(const scene::Scene& scene, std::size_t track, double value) {
-    if (track >= scene.surface.ranges.size()) return "";
-    const scene::Range& range = scene.surface.ranges[track];
+std::string range_text(const scene::Surface& surface, std::size_t track, double value) {
+    if (track >= surface.ranges.size()) return "";
+    const scene::Range& range = surface.ranges[track];
     if (range.least == -HUGE_VAL && range.most == HUGE_VAL) return "";
     return fmt::format("    {} {:g} to {:g}", range.contains(value) ? "of" : "BEYOND", range.least,
                        range.most);
@@ -124,18 +123,19 @@ int write_scene(const ShowArguments& arguments) {
 }
 
 // What one surface is at a frame; `now` is its own.
-void print_surface(const scene::Scene& scene, const synthesis::Passes& passes,
-                   const scene::SceneAt& now, int frame) {
+void print_surface(const scene::OneSurface& one, const synthesis::Passes& passes,
+                   const scene::OneSurfaceAt& now, int frame) {
     const animation::Values& values = *now.surface.values;
-    const scene::Isolation& isolation = scene.surface.isolation;
-    print_result("formula   {}\n", base::printable(scene.surface.field->text));
-    print_result("timeline  {} frame{} at {} a second{}\n", scene.timeline.frames,
-                 scene.timeline.frames == 1 ? "" : "s", animation::to_string(scene.timeline.fps),
-                 scene.timeline.loops ? ", a loop" : "");
-    print_result("class     {}\n", formula::words(scene.surface.smoothness));
+    const scene::Isolation& isolation = one.surface.isolation;
+    print_result("formula   {}\n", base::printable(one.surface.field->text));
+    print_result("timeline  {} frame{} at {} a second{}\n", one.scene.timeline.frames,
+                 one.scene.timeline.frames == 1 ? "" : "s",
+                 animation::to_string(one.scene.timeline.fps),
+                 one.scene.timeline.loops ? ", a loop" : "");
+    print_result("class     {}\n", formula::words(one.surface.smoothness));
     if (isolation.method == scene::Method::hermite) {
         print_result("method    hermite, safety {:g}", isolation.safety);
-        const formula::CubicSteps& steps = scene.surface.cubic_steps;
+        const formula::CubicSteps& steps = one.surface.cubic_steps;
         if (steps != formula::CubicSteps{})
             print_result(", steps of {:g} of the usual, the first {:g}", steps.longest,
                          steps.first);
@@ -147,31 +147,32 @@ void print_surface(const scene::Scene& scene, const synthesis::Passes& passes,
                      isolation.horizon, isolation.bisections);
     }
     const bool looks_out =
-        isolation.method == scene::Method::hermite && !scene.surface.smoothness.is_smooth();
+        isolation.method == scene::Method::hermite && !one.surface.smoothness.is_smooth();
     print_result("{}{}\n", !passes.beams.empty() ? ", beams" : "",
                  looks_out ? "; by bounds where the formula isn't smooth" : "");
     print_result("frame     {} at t = {:g} s\n", frame, values.time);
     for (std::size_t k = 0; k < values.tracks.size(); ++k) {
-        print_result("    {:<28} {:g}{}\n", scene.surface.animation.tracks()[k].name,
-                     values.tracks[k], range_text(scene, k, values.tracks[k]));
+        print_result("    {:<28} {:g}{}\n", one.surface.animation.tracks()[k].name,
+                     values.tracks[k], range_text(one.surface, k, values.tracks[k]));
     }
     for (std::size_t a = 0; a < values.arrays.size(); ++a) {
-        const auto& array = scene.surface.animation.arrays()[a];
+        const auto& array = one.surface.animation.arrays()[a];
         print_result("    {:<28} {} elements{}\n", array.name, values.arrays[a].count,
                      synthesis::array_with_grid(passes) == int(a) ? ", found by place" : "");
         if (array.samples) print_samples(*array.samples, values.time);
     }
     std::vector<std::string_view> called;
-    for (const synthesis::Effect effect : synthesis::effects(scene))
+    for (const synthesis::Effect effect : synthesis::effects(one))
         called.push_back(synthesis::name(effect));
-    if (!scene.look.name.empty()) {
-        print_result("look      {}: sets {}\n", scene.look.name,
-                     scene.look.keys.empty() ? "nothing, as the scene says all itself"
-                                             : fmt::format("{}", fmt::join(scene.look.keys, " ")));
+    if (!one.surface.look.name.empty()) {
+        print_result("look      {}: sets {}\n", one.surface.look.name,
+                     one.surface.look.keys.empty()
+                         ? "nothing, as the scene says all itself"
+                         : fmt::format("{}", fmt::join(one.surface.look.keys, " ")));
     }
     print_result("effects   {}\n",
                  called.empty() ? "none" : fmt::format("{}", fmt::join(called, " ")));
-    if (const auto& paint = scene.surface.material.paint; paint && paint->shown) {
+    if (const auto& paint = one.surface.material.paint; paint && paint->shown) {
         print_result("colormap  {:g} to {:g}, {}\n", paint->shown->least, paint->shown->most,
                      paint->met ? "what the surface shows"
                                 : "as no ray of the pictures looked at meets the surface");
@@ -184,9 +185,9 @@ void print_surface(const scene::Scene& scene, const synthesis::Passes& passes,
             "runs      the formula instruction by instruction, as a driver would take long to "
             "compile its {:.0f} operations\n",
             passes.size_compiled);
-    const scene::Sight sight = scene::sight(scene, now);
-    if (scene.surface.jumps_are_walls) print_result("jumps     are walls\n");
-    if (const auto& found = scene.surface.found_bounds) {
+    const scene::Sight sight = scene::sight(one, now);
+    if (one.surface.jumps_are_walls) print_result("jumps     are walls\n");
+    if (const auto& found = one.surface.found_bounds) {
         const scene::BoundsAt bounds = now.surface.bounds;
         print_result("bounds    found: a ball of radius {:g} about ({:g}, {:g}, {:g}), {}\n",
                      bounds.radius, bounds.centre.x, bounds.centre.y, bounds.centre.z,
@@ -224,24 +225,24 @@ int show(const ShowArguments& arguments) {
         now = scene::at_frame(scene, frame);
         print_result("{}\n", scene.title);
     }
-    for (int k = 0; k < int(scene::surface_count(scene)); ++k) {
-        const scene::Scene surface = scene::of_surface(scene, k);
+    for (std::size_t k = 0; k < scene.surfaces.size(); ++k) {
+        const scene::OneSurface one(scene, k);
         const std::int64_t pixels = std::int64_t(scene.output.width) * scene.output.height;
         const synthesis::Passes passes =
-            synthesis::assemble(surface, {},
+            synthesis::assemble(one, {},
                                 {.stage = stage_of(arguments),
                                  .branches = stage_of(arguments) == synthesis::Stage::compute,
                                  .pixels = pixels});
-        if (scene::has_several_surfaces(scene)) {
+        if (!one.is_alone()) {
             print_result("{}surface   {}: {} of {}\n", lists ? "\n" : "// ##### ",
-                         surface.surface.label, k + 1, scene.among.count);
+                         one.surface.label, k + 1, scene.surfaces.size());
         }
         if (!arguments.pass.empty()) {
             print_pass(pass_named(passes, arguments.pass));
         } else if (arguments.shader) {
             print_passes(passes);
         } else {
-            print_surface(surface, passes, scene::nth_surface(*now, std::size_t(k)), frame);
+            print_surface(one, passes, {*now, k}, frame);
         }
     }
     return exit_done;

@@ -22,7 +22,6 @@
 #include "image/encode.h"
 #include "render/renderer.h"
 #include "scene/found_bounds.h"
-#include "scene/nth_surface.h"
 #include "scene/reading/load.h"
 #include "scene/surfaces.h"
 #include "sequence/inputs.h"
@@ -56,7 +55,8 @@ struct TopologyArguments {
 scene::Scene load_seen(const TopologyArguments& arguments,
                        const std::vector<scene::Override>& settings) {
     scene::Scene scene = scene::load(arguments.scene, settings, arguments.reach);
-    return arguments.contact.empty() ? subject_of(scene, arguments.surface, {}).first : scene;
+    if (arguments.surface.empty()) return scene;
+    return scene::alone({scene, scene::surface_named(scene, arguments.surface)});
 }
 
 void check_extension(const char* option, const std::string& file, const char* extension) {
@@ -209,8 +209,8 @@ topology::TimelineRecord analysed(const TopologyArguments& arguments, const Subj
     };
     how.stop = [&] { return stop.asked(); };
     // A mistake in the last frame is told before minutes of searching.
-    const scene::Scene& scene = subject.first;
-    const formula::Interval range{scene.timeline.time(how.first), scene.timeline.time(how.last)};
+    const animation::Timeline& timeline = subject.first.scene.timeline;
+    const formula::Interval range{timeline.time(how.first), timeline.time(how.last)};
     const topology::TimelineHeader header = header_of(subject, range, solids);
     // Where F has no bounds, all that the search tells is that it could not prove anything.
     for (const std::string& why : topology::why_unbounded(subject, frames.first)) warn(why);
@@ -271,25 +271,31 @@ void check_proves_contact(const TopologyArguments& arguments) {
         arguments.certify));
 }
 
+void tell_of_sections(const TopologyArguments& arguments, const scene::Scene& scene) {
+    if (scene.sections.empty() || arguments.quiet) return;
+    message("sections cut what is seen; the topology is that of the whole surface\n");
+}
+
 // When and where each two surfaces of the scene touch.
 int contacts_of(const TopologyArguments& arguments, const scene::Scene& scene) {
+    tell_of_sections(arguments, scene);
     check_options_of_all(arguments);
     check_proves_contact(arguments);
     const auto frames = span_of(arguments.frames, scene);
-    const int count = scene.among.count;
+    const std::size_t count = scene.surfaces.size();
     // A mistake in the last pair's last frame is told before minutes of searching the first.
     const formula::Interval range{scene.timeline.time(frames.first),
                                   scene.timeline.time(frames.second)};
-    for (int first = 0; first < count; ++first) {
-        for (int second = first + 1; second < count; ++second)
-            header_of(topology::pair_of(scene, first, second), range, {});
+    for (std::size_t first = 0; first < count; ++first) {
+        for (std::size_t second = first + 1; second < count; ++second)
+            header_of(topology::subject_of(scene, first, second), range, {});
     }
     const std::vector<SolidChoice> choices = parse_solids(arguments.solids, scene);
     const StopOnSignal stop;
     bool is_complete = true;
-    for (int first = 0; first < count && !stop.asked(); ++first) {
-        for (int second = first + 1; second < count && !stop.asked(); ++second) {
-            const Subject subject = topology::pair_of(scene, first, second);
+    for (std::size_t first = 0; first < count && !stop.asked(); ++first) {
+        for (std::size_t second = first + 1; second < count && !stop.asked(); ++second) {
+            const Subject subject = topology::subject_of(scene, first, second);
             const auto solids = solids_of(subject, choices);
             const topology::TimelineRecord record =
                 analysed(arguments, subject, solids, frames, stop);
@@ -324,16 +330,14 @@ int topology_of(TopologyArguments arguments) {
     inputs.expect_apart("-o", arguments.output);
     inputs.expect_apart("--csv", arguments.csv);
     inputs.expect_apart("--plot", arguments.plot);
+    const bool is_of_all = arguments.surface.empty() && arguments.contact.empty();
+    if (is_of_all && loaded.surfaces.size() > 1) return contacts_of(arguments, loaded);
     const Subject subject = subject_of(loaded, arguments.surface, arguments.contact);
-    const scene::Scene& scene = subject.first;
-    if (!scene.sections.empty() && !arguments.quiet) {
-        message("sections cut what is seen; the topology is that of the whole surface\n");
-    }
-    if (scene::has_several_surfaces(scene)) return contacts_of(arguments, loaded);
-    const auto frames = span_of(arguments.frames, scene);
+    tell_of_sections(arguments, loaded);
+    const auto frames = span_of(arguments.frames, loaded);
     std::optional<topology::Expectation> expectation;
     if (!arguments.check.empty()) {
-        expectation = topology::read_expectation(arguments.check, scene.timeline.fps);
+        expectation = topology::read_expectation(arguments.check, loaded.timeline.fps);
     }
     const std::vector<SolidChoice> choices = parse_solids(arguments.solids, loaded);
     expect_searched(subject, choices);

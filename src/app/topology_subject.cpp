@@ -4,7 +4,6 @@
 
 #include <fmt/format.h>
 
-#include "scene/nth_surface.h"
 #include "scene/scene_at.h"
 #include "scene/surfaces.h"
 #include "topology/timeline/contact_words.h"
@@ -14,17 +13,16 @@ namespace isomotion::app {
 Subject subject_of(const scene::Scene& scene, const std::string& surface,
                    const std::vector<std::string>& contact) {
     if (!contact.empty()) {
-        const int first = scene::surface_named(scene, contact[0], "--contact");
-        const int second = scene::surface_named(scene, contact[1], "--contact");
+        const std::size_t first = scene::surface_named(scene, contact[0], "--contact");
+        const std::size_t second = scene::surface_named(scene, contact[1], "--contact");
         if (first == second) {
             throw std::invalid_argument(
                 fmt::format("--contact {0} {0}: name two surfaces of the scene", contact[0]));
         }
-        return topology::pair_of(scene, first, second);
+        return topology::subject_of(scene, first, second);
     }
-    if (surface.empty()) return {scene, {}, scene.title};
-    scene::Scene one = scene::alone(scene, scene::surface_named(scene, surface, "--surface"));
-    return {one, {}, one.title};
+    if (surface.empty()) return topology::subject_of(scene, 0);
+    return topology::subject_of(scene, scene::surface_named(scene, surface, "--surface"));
 }
 
 std::vector<SolidChoice> parse_solids(const std::vector<std::string>& texts,
@@ -41,7 +39,7 @@ std::vector<SolidChoice> parse_solids(const std::vector<std::string>& texts,
                 "is; for one of several surfaces NAME=negative",
                 text));
         }
-        if (is_named && !scene::has_several_surfaces(scene)) {
+        if (is_named && scene.surfaces.size() == 1) {
             throw std::invalid_argument(
                 fmt::format("--solid {}: the scene has one surface; write --solid {}", text, side));
         }
@@ -64,9 +62,9 @@ void expect_searched(const Subject& subject, const std::vector<SolidChoice>& cho
 
 std::array<topology::Side, 2> solids_of(const Subject& subject,
                                         const std::vector<SolidChoice>& choices) {
-    const auto solid = [&](const scene::Scene& scene) {
-        topology::Side side = topology::solid_side(scene);
-        for (const std::string& name : {std::string(), scene.surface.label}) {
+    const auto solid = [&](const scene::OneSurface& one) {
+        topology::Side side = topology::solid_side(one);
+        for (const std::string& name : {std::string(), one.surface.label}) {
             for (const SolidChoice& choice : choices) {
                 if (choice.surface == name) side = choice.side;
             }
@@ -78,9 +76,9 @@ std::array<topology::Side, 2> solids_of(const Subject& subject,
 }
 
 std::string solid_text(const Subject& subject, const std::array<topology::Side, 2>& solids) {
-    const auto line = [](const scene::Scene& scene, topology::Side side, bool is_named) {
+    const auto line = [](const scene::OneSurface& one, topology::Side side, bool is_named) {
         if (side == topology::Side::negative) return std::string();
-        const std::string& name = scene.surface.label;
+        const std::string& name = one.surface.label;
         return fmt::format("{}the solid is F > 0; --solid {}negative takes F < 0\n",
                            is_named ? name + ": " : "", is_named ? name + "=" : "");
     };
@@ -89,10 +87,10 @@ std::string solid_text(const Subject& subject, const std::array<topology::Side, 
 }
 
 std::string contact_text(const Subject& subject, const topology::TimelineRecord& record) {
-    const scene::Scene& first = subject.first;
+    const scene::OneSurface& first = subject.first;
     const auto to_world = [&first](double time, const std::array<double, 3>& place) {
-        const scene::SceneAt now = scene::at(first, time);
-        const glm::dvec3 at = now.surface.placement.to_world({place[0], place[1], place[2]});
+        const scene::SurfaceAt now = scene::surface_at(first, time);
+        const glm::dvec3 at = now.placement.to_world({place[0], place[1], place[2]});
         return std::array{at.x, at.y, at.z};
     };
     return topology::contact_text({first.surface.label, subject.second->surface.label, to_world},

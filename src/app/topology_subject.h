@@ -11,7 +11,7 @@ namespace isomotion::app {
 
 using topology::Subject;
 
-// The surface that is named, or the two of `contact`; the whole scene if neither is. Throws
+// The surface that is named, or the two of `contact`; the only surface if neither is. Throws
 // SceneError for unknown names, and std::invalid_argument for two equal ones.
 Subject subject_of(const scene::Scene& scene, const std::string& surface,
                    const std::vector<std::string>& contact);

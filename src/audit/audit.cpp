@@ -8,7 +8,6 @@
 
 #include <fmt/format.h>
 
-#include "scene/nth_surface.h"
 #include "truth/cut_rays.h"
 #include "truth/nearest.h"
 #include "truth/tube.h"
@@ -95,25 +94,25 @@ std::vector<int> pixels_of_frame(int width, int height, int count, int frame) {
 
 Auditor::Auditor(const scene::Scene& scene)
     : scene_(scene) {
-    scene::for_each_surface(scene, [&](const scene::Scene& one) { fields_.emplace_back(one); });
+    for (const scene::Surface& surface : scene.surfaces) fields_.emplace_back(*surface.field);
 }
 
 namespace {
 
-double operations_of(const scene::Scene& scene) {
-    std::vector<int> counts = scene.surface.animation.counts();
-    if (const auto by_place = elements::FieldByPlace::of(*scene.surface.field, counts)) {
+double operations_of(const scene::Surface& surface) {
+    std::vector<int> counts = surface.animation.counts();
+    if (const auto by_place = elements::FieldByPlace::of(*surface.field, counts)) {
         int& count = counts[std::size_t(by_place->array())];
         count = std::min(count, usual_list);
     }
-    return formula::cost(scene.surface.field->value, counts).operations;
+    return formula::cost(surface.field->value, counts).operations;
 }
 
 } // namespace
 
 double Auditor::operations_at_a_point() const {
     double sum = 0;
-    scene::for_each_surface(scene_, [&](const scene::Scene& one) { sum += operations_of(one); });
+    for (const scene::Surface& surface : scene_.surfaces) sum += operations_of(surface);
     return sum;
 }
 
@@ -127,9 +126,8 @@ Findings Auditor::hold(int frame, const scene::SceneAt& now, const scene::Aim& a
     std::vector<truth::EnclosedField::Frame> fields;
     std::vector<truth::RootFinder> finders;
     for (std::size_t k = 0; k < fields_.size(); ++k) {
-        const scene::SceneAt& surface = scene::nth_surface(now, k);
-        sections.emplace_back(surface);
-        fields.push_back(fields_[k].at(surface, 1, k == 0 ? std::move(grid) : nullptr));
+        sections.emplace_back(scene::OneSurfaceAt(now, k));
+        fields.push_back(fields_[k].at(now.surfaces[k], 1, k == 0 ? std::move(grid) : nullptr));
     }
     finders.reserve(fields.size());
     for (const auto& field : fields) finders.push_back(field.finder(budget));

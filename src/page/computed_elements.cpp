@@ -43,12 +43,12 @@ bool add_tracks(const animation::Animation& animation, const Program& program,
 // The fields of an array by rules.h's numbers.
 class Fields {
 public:
-    Fields(const scene::Scene& scene, std::size_t array)
-        : animation_(scene.surface.animation)
+    Fields(const scene::Surface& surface, std::size_t array)
+        : animation_(surface.animation)
         , array_(array)
-        , order_(fields_in_order(scene, array)) {
+        , order_(fields_in_order(surface, array)) {
         for (std::size_t k = 0; k < order_.size(); ++k) {
-            slots_.push_back(slot_of(scene, array, order_[k]));
+            slots_.push_back(slot_of(surface, array, order_[k]));
             can_be_computed_.push_back(can(k));
         }
         // A field that all elements share may not be a field of elements to the shaders.
@@ -112,12 +112,12 @@ private:
     std::size_t stride_;
 };
 
-std::vector<int> tracks_of(const scene::Scene& scene, const Fields& fields,
+std::vector<int> tracks_of(const scene::Surface& surface, const Fields& fields,
                            const std::vector<bool>& needed) {
     std::vector<int> order;
     for (std::size_t k = 0; k < fields.size(); ++k) {
         if (needed[k] && fields.program(k))
-            add_tracks(scene.surface.animation, *fields.program(k), order);
+            add_tracks(surface.animation, *fields.program(k), order);
     }
     return order;
 }
@@ -139,12 +139,12 @@ std::optional<std::uint32_t> float_of(Interval value) {
 // Calls take(field, element, its interval) for those that are wanted, at a time.
 class IntervalElements {
 public:
-    IntervalElements(const scene::Scene& scene, const Fields& fields,
+    IntervalElements(const scene::Surface& surface, const Fields& fields,
                      const std::vector<int>& wanted)
-        : animation_(scene.surface.animation)
+        : animation_(surface.animation)
         , fields_(fields)
         , needed_(fields.needed_by(wanted))
-        , tracks_(tracks_of(scene, fields, needed_)) {
+        , tracks_(tracks_of(surface, fields, needed_)) {
         bindings_.seed = animation_.seed();
         std::size_t most = animation_.nameable();
         for (std::size_t k = 0; k < fields.size(); ++k)
@@ -198,13 +198,13 @@ private:
 
 } // namespace
 
-std::optional<ComputedElements> computed_elements(const scene::Scene& scene, std::size_t array,
+std::optional<ComputedElements> computed_elements(const scene::Surface& surface, std::size_t array,
                                                   const ValueTable& values,
                                                   std::span<const double> times,
                                                   std::span<const int> counts) {
-    const int elements = scene.surface.animation.arrays()[array].count;
+    const int elements = surface.animation.arrays()[array].count;
     if (elements == 0 || elements > most_computed) return std::nullopt;
-    const Fields fields(scene, array);
+    const Fields fields(surface, array);
     ComputedElements computed;
     for (std::size_t k = 0; k < fields.size(); ++k) {
         if (fields.slot(k) >= 0 && fields.can_be_computed(k) && moves(fields, k, values, elements))
@@ -213,7 +213,7 @@ std::optional<ComputedElements> computed_elements(const scene::Scene& scene, std
     if (computed.fields.empty()) return std::nullopt;
 
     std::vector<std::vector<ComputedElements::Exception>> exceptions(fields.size());
-    IntervalElements evaluated(scene, fields, computed.fields);
+    IntervalElements evaluated(surface, fields, computed.fields);
     for (std::size_t row = 0; row < times.size(); ++row) {
         evaluated.at(times[row], counts[row], row, values, [&](std::size_t k, int i, Interval it) {
             if (fields.slot(k) < 0) return;
@@ -238,10 +238,10 @@ std::optional<ComputedElements> computed_elements(const scene::Scene& scene, std
     return computed;
 }
 
-ValueTable without(const ComputedElements& computed, const scene::Scene& scene, std::size_t array,
-                   const ValueTable& values) {
-    const Fields fields(scene, array);
-    const int elements = scene.surface.animation.arrays()[array].count;
+ValueTable without(const ComputedElements& computed, const scene::Surface& surface,
+                   std::size_t array, const ValueTable& values) {
+    const Fields fields(surface, array);
+    const int elements = surface.animation.arrays()[array].count;
     ValueTable rest = values;
     for (const int k : computed.fields) {
         for (int i = 0; i < elements; ++i)
@@ -263,13 +263,13 @@ void pack(const ComputedElements& computed, std::vector<std::byte>& into) {
     }
 }
 
-nlohmann::ordered_json json_of(const ComputedElements& computed, const scene::Scene& scene,
+nlohmann::ordered_json json_of(const ComputedElements& computed, const scene::Surface& surface,
                                std::size_t array) {
     using Json = nlohmann::ordered_json;
-    const animation::Animation& animation = scene.surface.animation;
-    const Fields fields(scene, array);
+    const animation::Animation& animation = surface.animation;
+    const Fields fields(surface, array);
     Json tracks = Json::array();
-    for (const int track : tracks_of(scene, fields, fields.needed_by(computed.fields))) {
+    for (const int track : tracks_of(surface, fields, fields.needed_by(computed.fields))) {
         const Program* program = animation.program(track);
         const auto& source = animation.tracks()[std::size_t(track)].source;
         tracks.push_back(

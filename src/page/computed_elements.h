@@ -35,19 +35,19 @@ struct ComputedElements {
 
 // `values` are the array's, row by row. Rows are at these times and have so many elements. None if
 // no field can be worked out.
-std::optional<ComputedElements> computed_elements(const scene::Scene& scene, std::size_t array,
+std::optional<ComputedElements> computed_elements(const scene::Surface& surface, std::size_t array,
                                                   const ValueTable& values,
                                                   std::span<const double> times,
                                                   std::span<const int> counts);
 
 // The values without those that are left out.
-ValueTable without(const ComputedElements& computed, const scene::Scene& scene, std::size_t array,
-                   const ValueTable& values);
+ValueTable without(const ComputedElements& computed, const scene::Surface& surface,
+                   std::size_t array, const ValueTable& values);
 // The number of exceptions and their words, little-endian.
 void pack(const ComputedElements& computed, std::vector<std::byte>& into);
 
 // {"fields": their numbers, "tracks": [[place, number or program]], each after those it names}.
-nlohmann::ordered_json json_of(const ComputedElements& computed, const scene::Scene& scene,
+nlohmann::ordered_json json_of(const ComputedElements& computed, const scene::Surface& surface,
                                std::size_t array);
 
 } // namespace isomotion::page

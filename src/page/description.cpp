@@ -20,7 +20,6 @@
 #include "render/march_plan.h"
 #include "render/sample_pattern.h"
 #include "scene/color_map.h"
-#include "scene/nth_surface.h"
 #include "synthesis/beam_copies_text.h"
 #include "synthesis/effect.h"
 #include "synthesis/effect_text.h"
@@ -133,7 +132,7 @@ Json beams_of(const WebSurface& web) {
              {"lists", copied ? synthesis::lists_of_a_block(level) : 0},
              {"listRows", copied ? synthesis::rows_of_copies(web.passes, int(all.size())) : 0},
              {"evaluations",
-              render::evaluations_of_a_beam(web.passes, *web.scene.surface.field, level.lists)}});
+              render::evaluations_of_a_beam(web.passes, *web.one.surface.field, level.lists)}});
     }
     return all;
 }
@@ -159,7 +158,7 @@ Json arrays_of(const WebSurface& web, const SurfaceValues& values) {
         all.push_back(
             {{"name", in_block ? array.name + "_block" : array.name},
              {"texture", !in_block},
-             {"computed", computed ? json_of(*computed, web.scene, all.size()) : Json()}});
+             {"computed", computed ? json_of(*computed, web.one.surface, all.size()) : Json()}});
     }
     return all;
 }
@@ -186,10 +185,10 @@ Json sliders_of(const WebScene& web) {
     const std::size_t count = web.surfaces.size();
     for (std::size_t k = 0; k < count; ++k) {
         if (!can_go_through_all(web.surfaces[k])) continue;
-        const scene::Scene& scene = web.surfaces[k].scene;
-        const std::string prefix = count == 1 ? "" : scene.surface.label + "/";
-        for (const player::SliderRange& range : player::slider_ranges(scene)) {
-            if (!(range.least < range.most) || !can_be_held(scene, range.track)) continue;
+        const scene::OneSurface& one = web.surfaces[k].one;
+        const std::string prefix = count == 1 ? "" : one.surface.label + "/";
+        for (const player::SliderRange& range : player::slider_ranges(one)) {
+            if (!(range.least < range.most) || !can_be_held(one.surface, range.track)) continue;
             all.push_back({{"name", prefix + range.name},
                            {"surface", k},
                            {"place", range.track},
@@ -216,7 +215,7 @@ std::string kind_of(player::TimelineMarker::Kind kind) {
 Json markers_of(const scene::Scene& scene, const PageOptions& options) {
     Json all = Json::array();
     // A timeline is of one surface.
-    if (!scene.formula.empty() || scene::has_several_surfaces(scene)) return all;
+    if (!scene.formula.empty() || scene.surfaces.size() > 1) return all;
     const auto found = player::read_topology_markers(scene, player::timeline_path(scene));
     if (!found.refusal.empty() && options.warn) options.warn(found.refusal);
     for (const player::TimelineMarker& marker : found.markers) {
@@ -252,9 +251,9 @@ Json steps_of(const formula::CubicSteps& steps) {
 }
 
 // What the block Frame holds beside rays: render/uniform_blocks.cpp.
-Json settings_of(const scene::Scene& scene) {
-    const scene::Isolation& isolation = scene.surface.isolation;
-    const double scale = scene.surface.field->scale;
+Json settings_of(const scene::OneSurface& one) {
+    const scene::Isolation& isolation = one.surface.isolation;
+    const double scale = one.surface.field->scale;
     return {{"method", scene::name(isolation.method)},
             {"step", isolation.step},
             {"near", scale * isolation.near},
@@ -264,8 +263,8 @@ Json settings_of(const scene::Scene& scene) {
             {"limit", isolation.limit},
             {"safety", isolation.safety},
             {"cubics", scene::traits(isolation.method).steps == scene::Steps::cubics},
-            {"steps", steps_of(scene.surface.cubic_steps)},
-            {"heldSteps", steps_of(player::steps_at_slider_ends(scene))}};
+            {"steps", steps_of(one.surface.cubic_steps)},
+            {"heldSteps", steps_of(player::steps_at_slider_ends(one))}};
 }
 
 // One line of what `isomotion accuracy` measured of the scene's own method and step.
@@ -278,15 +277,15 @@ std::string accuracy_of(const scene::Scene& scene, const std::filesystem::path& 
     if (title.text() != scene.title)
         title.fail(fmt::format("the report is of '{}', not of '{}'", title.text(), scene.title));
     const auto width = table.at("width").whole(), height = table.at("height").whole();
+    const scene::Isolation& isolation = scene.surfaces.front().isolation;
     const std::string machine = table.at("machine").text();
     for (const base::DocumentNode& node : table.at("measurements").list()) {
         base::DocumentTable row = node.table();
-        const bool is_own =
-            row.at("method").text() == scene::name(scene.surface.isolation.method) &&
-            row.at("step").number() == scene.surface.isolation.step &&
-            row.at("thresholds").number() == 1 &&
-            row.at("bisections").whole() == scene.surface.isolation.bisections &&
-            row.at("safety").number() == scene.surface.isolation.safety;
+        const bool is_own = row.at("method").text() == scene::name(isolation.method) &&
+                            row.at("step").number() == isolation.step &&
+                            row.at("thresholds").number() == 1 &&
+                            row.at("bisections").whole() == isolation.bisections &&
+                            row.at("safety").number() == isolation.safety;
         if (!is_own) continue;
         return fmt::format("{:.3g} wrong pixels in a million, {:.3g} ms a frame of {} x {} ({})",
                            row.at("wrong_ppm").number(), row.at("ms").number(), width, height,
@@ -306,14 +305,14 @@ Json viewers_lights_of(const scene::Scene& scene) {
 
 // How one surface is drawn.
 Json surface_of(const WebSurface& web, const SurfaceValues& values, Texts& texts) {
-    const scene::Scene& scene = web.scene;
+    const scene::OneSurface& one = web.one;
     const synthesis::Passes& passes = web.passes;
     Json all;
-    all["box"] = scene.surface.bounds.shape == scene::Bounds::Shape::box;
-    all["settings"] = settings_of(scene);
-    all["rules"] = rules_of(scene);
+    all["box"] = one.surface.bounds.shape == scene::Bounds::Shape::box;
+    all["settings"] = settings_of(one);
+    all["rules"] = rules_of(one.surface);
     all["evaluations"] = web.plan.march.evaluations_per_pass;
-    all["shadowLights"] = std::popcount(unsigned(synthesis::shadow_mask(scene)));
+    all["shadowLights"] = std::popcount(unsigned(synthesis::shadow_mask(one.scene)));
     all["stateTextures"] = passes.state_textures;
     all["beams"] = beams_of(web);
     all["squaresApart"] = synthesis::beam_square;
@@ -331,10 +330,10 @@ Json surface_of(const WebSurface& web, const SurfaceValues& values, Texts& texts
 } // namespace
 
 std::string formulas_of(const WebScene& web) {
-    if (web.surfaces.size() == 1) return web.first().scene.surface.field->text;
+    if (web.surfaces.size() == 1) return web.surfaces.front().one.surface.field->text;
     std::string all;
     for (const WebSurface& surface : web.surfaces) {
-        const scene::Surface& its = surface.scene.surface;
+        const scene::Surface& its = surface.one.surface;
         all += fmt::format("{}{}: {}", all.empty() ? "" : "\n", its.label, its.field->text);
     }
     return all;
@@ -342,7 +341,8 @@ std::string formulas_of(const WebScene& web) {
 
 std::string description(const WebScene& web, const FrameValues& values,
                         const Environment* environment, const PageOptions& options) {
-    const scene::Scene& scene = web.whole;
+    const scene::Scene& scene = *web.scene;
+    const auto& glass = scene.surfaces.front().material.glass; // a page shows it of one surface
     const animation::Timeline& timeline = scene.timeline;
     Texts texts;
     Json all;
@@ -363,11 +363,11 @@ std::string description(const WebScene& web, const FrameValues& values,
     all["parallel"] = scene.camera.projection == scene::Camera::Projection::orthographic;
     all["lights"] = scene.lights.size();
     all["viewersLights"] = viewers_lights_of(scene);
-    all["glassDepth"] = scene.surface.material.glass ? scene.surface.material.glass->depth : 0;
+    all["glassDepth"] = glass ? glass->depth : 0;
     all["sliders"] = sliders_of(web);
     all["markers"] = markers_of(scene, options);
     if (options.report) all["accuracy"] = accuracy_of(scene, *options.report);
-    all["tile"] = web.first().plan.march.tile_width;
+    all["tile"] = web.surfaces.front().plan.march.tile_width;
     for (std::size_t k = 0; k < web.surfaces.size(); ++k)
         all["surfaces"].push_back(surface_of(web.surfaces[k], values[k], texts));
     all["lines"] = texts.all();

@@ -19,7 +19,6 @@
 #include "render/uniform_blocks.h"
 #include "scene/error.h"
 #include "scene/near_elements.h"
-#include "scene/nth_surface.h"
 #include "scene/scene_at.h"
 #include "synthesis/effect.h"
 
@@ -61,14 +60,14 @@ void add_camera(Row& row, const scene::SceneAt& now) {
 }
 
 // Adds the values that are one surface's own.
-void add_surface(Row& row, const scene::SceneAt& now, double element_radius) {
-    row.add("translate", now.surface.placement.translate);
-    row.add("rotate", now.surface.placement.rotate);
-    row.add("scale", now.surface.placement.scale);
-    row.add("min", now.surface.bounds.min);
-    row.add("max", now.surface.bounds.max);
-    row.add("centre", now.surface.bounds.centre);
-    row.add("radius", now.surface.bounds.radius);
+void add_surface(Row& row, const scene::SurfaceAt& now, double element_radius) {
+    row.add("translate", now.placement.translate);
+    row.add("rotate", now.placement.rotate);
+    row.add("scale", now.placement.scale);
+    row.add("min", now.bounds.min);
+    row.add("max", now.bounds.max);
+    row.add("centre", now.bounds.centre);
+    row.add("radius", now.bounds.radius);
     row.add("elementRadius", element_radius);
 }
 
@@ -119,16 +118,15 @@ public:
     explicit Grids(const WebSurface& web)
         : web_(web) {
         if (const auto array = synthesis::array_with_grid(web.passes))
-            maker_ = elements::GridMaker::of(*web.scene.surface.field, *array);
+            maker_ = elements::GridMaker::of(*web.one.surface.field, *array);
         // A texture of 1024 x 2048, which every WebGL2 has, holds as many.
         limits_.listed = 1 << 21;
         limits_.threads = int(std::max(1u, std::thread::hardware_concurrency()));
     }
 
-    std::optional<elements::ElementGrid> at(const scene::SceneAt& now) const {
+    std::optional<elements::ElementGrid> at(const scene::SurfaceAt& now) const {
         if (!maker_) return std::nullopt;
-        auto grid = maker_->make(now.surface.bindings,
-                                 scene::region_of_elements(now.surface.bounds), limits_);
+        auto grid = maker_->make(now.bindings, scene::region_of_elements(now.bounds), limits_);
         const std::uint32_t most = web_.plan.most_elements_at_a_place;
         if (grid.longest > most || grid.listed.size() > limits_.listed) {
             throw std::length_error(fmt::format(
@@ -139,10 +137,10 @@ public:
         return grid;
     }
 
-    void add(const elements::ElementGrid& grid, const scene::SceneAt& now,
+    void add(const elements::ElementGrid& grid, const scene::SurfaceAt& now,
              std::vector<std::byte>& into) const {
         std::vector<std::byte> packed;
-        pack(grid, now.surface.bindings.arrays[std::size_t(grid.array)].count, packed);
+        pack(grid, now.bindings.arrays[std::size_t(grid.array)].count, packed);
         for (int place = 0; place < 4; ++place)
             into.push_back(std::byte(packed.size() >> (8 * place) & 0xff));
         into.insert(into.end(), packed.begin(), packed.end());
@@ -159,8 +157,7 @@ class SurfaceRows {
 public:
     explicit SurfaceRows(const WebSurface& web)
         : web_(web)
-        , by_cubics_(scene::traits(web.scene.surface.isolation.method).steps ==
-                     scene::Steps::cubics)
+        , by_cubics_(scene::traits(web.one.surface.isolation.method).steps == scene::Steps::cubics)
         , grids_(web) {}
 
     void prepare(SurfaceValues& values) const {
@@ -168,25 +165,28 @@ public:
             values.arrays.emplace_back(fmt::format("array{}", a));
     }
 
-    void add(const scene::SceneAt& now, bool is_first, SurfaceValues& values) {
-        const scene::Scene& scene = web_.scene;
+    void add(const scene::SceneAt& scene, SurfaceValues& values) {
+        const scene::OneSurface& one = web_.one;
+        const formula::Field& field = *one.surface.field;
+        const scene::OneSurfaceAt now(scene, one.index);
+        const scene::SurfaceAt& surface = now.surface;
         const synthesis::Passes& passes = web_.passes;
         Row view;
-        if (is_first) add_camera(view, now);
-        add_surface(view, now, by_cubics_ ? element_radius_.least(scene, now) : HUGE_VAL);
+        if (one.index == 0) add_camera(view, scene);
+        add_surface(view, surface, by_cubics_ ? element_radius_.least(field, surface) : HUGE_VAL);
         values.view.add(words_of(std::span<const double>(view.numbers)));
         values.view_places = std::move(view.places);
-        const auto grid = grids_.at(now);
-        if (grid) grids_.add(*grid, now, values.grids);
+        const auto grid = grids_.at(surface);
+        if (grid) grids_.add(*grid, surface, values.grids);
         values.parameters.add(
-            words_of_bytes(render::parameter_block(passes, now, grid ? &*grid : nullptr)));
-        const auto shading = render::shading_block(scene, now, largest_tile, largest_tile);
+            words_of_bytes(render::parameter_block(passes, surface, grid ? &*grid : nullptr)));
+        const auto shading = render::shading_block(one, now, largest_tile, largest_tile);
         values.shading.add(words_of(std::span<const float>(numbers_of(shading))));
         std::vector<float> effects;
-        values.effect_places = add_effects(synthesis::effect_uniforms(scene, now), effects);
+        values.effect_places = add_effects(synthesis::effect_uniforms(one, now), effects);
         values.effects.add(words_of(std::span<const float>(effects)));
         for (std::size_t a = 0; a < passes.arrays.size(); ++a) {
-            std::vector<glm::vec4> texels = render::array_texels(scene, passes, now, a);
+            std::vector<glm::vec4> texels = render::array_texels(field, passes, surface, a);
             const auto& storage = passes.arrays[a];
             texels.resize(std::size_t(storage.capacity) * std::size_t(storage.texels));
             values.arrays[a].add(words_of(std::span<const float>(numbers_of(texels))));
@@ -225,9 +225,9 @@ void leave_out(const WebSurface& web, std::span<const double> times, SurfaceValu
         for (std::size_t row = 0; row < times.size(); ++row)
             counts.push_back(int(values.parameters.word(row, counts_at + a)));
         ValueTable& table = values.arrays[a];
-        auto computed = computed_elements(web.scene, a, table, times, counts);
+        auto computed = computed_elements(web.one.surface, a, table, times, counts);
         if (computed) {
-            ValueTable rest = without(*computed, web.scene, a, table);
+            ValueTable rest = without(*computed, web.one.surface, a, table);
             std::vector<std::byte> shorter, whole;
             rest.pack(shorter);
             pack(*computed, shorter);
@@ -258,14 +258,13 @@ std::vector<const ValueTable*> SurfaceValues::tables() const {
 }
 
 FrameValues frame_values(const WebScene& web) {
-    const scene::Scene& scene = web.whole;
+    const scene::Scene& scene = *web.scene;
     FrameValues values(web.surfaces.size());
     std::vector<SurfaceRows> rows;
     for (const WebSurface& surface : web.surfaces) rows.emplace_back(surface);
     for (std::size_t k = 0; k < rows.size(); ++k) rows[k].prepare(values[k]);
     const auto add = [&](const scene::SceneAt& now) {
-        for (std::size_t k = 0; k < rows.size(); ++k)
-            rows[k].add(scene::nth_surface(now, k), k == 0, values[k]);
+        for (std::size_t k = 0; k < rows.size(); ++k) rows[k].add(now, values[k]);
     };
     const std::vector<double> parts = moments(scene);
     std::vector<double> times;

@@ -8,7 +8,6 @@
 #include "page/description.h"
 #include "page/embedded_files.h"
 #include "page/html.h"
-#include "scene/nth_surface.h"
 #include "scene/unbounded.h"
 
 namespace isomotion::page {
@@ -34,7 +33,7 @@ void append_word(std::vector<std::byte>& to, std::size_t word) {
 std::vector<std::byte> data_of(const WebScene& web, const PageOptions& options) {
     const FrameValues values = frame_values(web);
     std::optional<Environment> around;
-    if (web.whole.environment) around = environment(web.whole, options.warn);
+    if (web.scene->environment) around = environment(*web.scene, options.warn);
     const std::string described = description(web, values, around ? &*around : nullptr, options);
     std::vector<std::byte> data;
     append_word(data, described.size());
@@ -64,10 +63,9 @@ std::string movie_element(std::span<const std::byte> movie) {
 // A page that stays empty would tell nobody why.
 void warn_of_unbounded(const scene::Scene& scene, const PageOptions& options) {
     if (!options.warn) return;
-    const scene::SceneAt first = scene::at_frame(scene, 1);
-    for (std::size_t k = 0; k < scene::surface_count(scene); ++k) {
-        const auto why =
-            scene::why_unbounded(scene::nth_surface(scene, k), scene::nth_surface(first, k));
+    for (std::size_t k = 0; k < scene.surfaces.size(); ++k) {
+        const scene::OneSurface one(scene, k);
+        const auto why = scene::why_unbounded(one, scene::surface_at(one, scene.timeline.time(1)));
         if (why) options.warn(*why);
     }
 }

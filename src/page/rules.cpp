@@ -95,12 +95,12 @@ Json json_of(const Program& program, int tracks, const std::vector<std::size_t>&
     return {{"code", code}, {"out", program.outputs.front()}, {"tracks", named}};
 }
 
-Json fields_of(const scene::Scene& scene, std::size_t array) {
-    const animation::Animation& animation = scene.surface.animation;
-    const std::vector<std::size_t> order = fields_in_order(scene, array);
+Json fields_of(const scene::Surface& surface, std::size_t array) {
+    const animation::Animation& animation = surface.animation;
+    const std::vector<std::size_t> order = fields_in_order(surface, array);
     Json all = Json::array();
     for (const std::size_t field : order) {
-        Json entry{{"slot", slot_of(scene, array, field)}};
+        Json entry{{"slot", slot_of(surface, array, field)}};
         const auto& source = animation.arrays()[array].fields[field].source;
         if (const Program* program = animation.program(array, field))
             entry["program"] = json_of(*program, int(animation.nameable()), order);
@@ -129,15 +129,15 @@ std::set<int> named_by(const Program& program) {
     return named;
 }
 
-std::vector<std::size_t> fields_in_order(const scene::Scene& scene, std::size_t array) {
+std::vector<std::size_t> fields_in_order(const scene::Surface& surface, std::size_t array) {
     std::vector<std::size_t> order;
-    for (const int field : scene.surface.field->packing[array])
-        add_in_order(scene.surface.animation, array, std::size_t(field), order);
+    for (const int field : surface.field->packing[array])
+        add_in_order(surface.animation, array, std::size_t(field), order);
     return order;
 }
 
-int slot_of(const scene::Scene& scene, std::size_t array, std::size_t field) {
-    const auto& packing = scene.surface.field->packing[array];
+int slot_of(const scene::Surface& surface, std::size_t array, std::size_t field) {
+    const auto& packing = surface.field->packing[array];
     const auto at = std::ranges::find(packing, int(field));
     return at == packing.end() ? -1 : int(at - packing.begin());
 }
@@ -146,14 +146,15 @@ Json program_of_track(const animation::Animation& animation, int track) {
     return json_of(*animation.program(track), int(animation.nameable()), {});
 }
 
-bool can_be_held(const scene::Scene& scene, int track) {
-    const animation::Animation& animation = scene.surface.animation;
+bool can_be_held(const scene::Surface& surface, int track) {
+    const animation::Animation& animation = surface.animation;
     for (std::size_t a = 0; a < animation.arrays().size(); ++a) {
-        for (const std::size_t field : fields_in_order(scene, a)) {
+        for (const std::size_t field : fields_in_order(surface, a)) {
             if (!field_depends(animation, a, field, track)) continue;
             for (const int other : named_by(*animation.program(a, field))) {
                 const auto sibling = sibling_of(animation, other);
-                if (sibling && is_column(animation, a, *sibling) && slot_of(scene, a, *sibling) < 0)
+                if (sibling && is_column(animation, a, *sibling) &&
+                    slot_of(surface, a, *sibling) < 0)
                     return false;
             }
         }
@@ -161,24 +162,24 @@ bool can_be_held(const scene::Scene& scene, int track) {
     return true;
 }
 
-Json rules_of(const scene::Scene& scene) {
-    const animation::Animation& animation = scene.surface.animation;
+Json rules_of(const scene::Surface& surface) {
+    const animation::Animation& animation = surface.animation;
     const auto rule = [&](int key, int track) {
         return Json{key, program_of_track(animation, track)};
     };
     Json rules{{"seed", std::to_string(animation.seed())}};
     std::vector<int> order;
-    for (int k = 0; k < scene.surface.parameters; ++k) add_track_in_order(animation, k, order);
+    for (int k = 0; k < surface.parameters; ++k) add_track_in_order(animation, k, order);
     rules["tracks"] = Json::array();
     for (const int track : order) rules["tracks"].push_back(rule(track, track));
     rules["bounds"] = Json::array();
-    const std::vector<int> bounds = bounds_tracks(scene.surface.bounds);
+    const std::vector<int> bounds = bounds_tracks(surface.bounds);
     for (std::size_t k = 0; k < bounds.size(); ++k) {
         if (animation.program(bounds[k])) rules["bounds"].push_back(rule(int(k), bounds[k]));
     }
     rules["arrays"] = Json::array();
     for (std::size_t a = 0; a < animation.arrays().size(); ++a)
-        rules["arrays"].push_back(fields_of(scene, a));
+        rules["arrays"].push_back(fields_of(surface, a));
     return rules;
 }
 

@@ -7,7 +7,6 @@
 #include <fmt/format.h>
 
 #include "scene/error.h"
-#include "scene/nth_surface.h"
 #include "scene/surfaces.h"
 #include "synthesis/assemble.h"
 #include "synthesis/inlined_size.h"
@@ -17,16 +16,16 @@ namespace isomotion::page {
 namespace {
 
 // `name`: of the value that is to be changed.
-[[noreturn]] void refuse(const scene::Scene& scene, const std::string& name,
+[[noreturn]] void refuse(const scene::OneSurface& one, const std::string& name,
                          const std::string& message) {
-    throw scene::SceneError(fmt::format("{}: {}", scene::place_of(scene, name), message));
+    throw scene::SceneError(fmt::format("{}: {}", scene::place_of(one, name), message));
 }
 
-std::string count_of(const scene::Scene& scene, int array) {
-    return scene.surface.animation.arrays()[std::size_t(array)].name + ".count";
+std::string count_of(const scene::OneSurface& one, int array) {
+    return one.surface.animation.arrays()[std::size_t(array)].name + ".count";
 }
 
-void expect_few_elements(const scene::Scene& scene, const synthesis::Passes& passes) {
+void expect_few_elements(const scene::OneSurface& one, const synthesis::Passes& passes) {
     constexpr const char* instead =
         "draw fewer (count), or share a movie (isomotion render --movie)";
     std::int64_t others = 0;
@@ -34,7 +33,7 @@ void expect_few_elements(const scene::Scene& scene, const synthesis::Passes& pas
     for (int k = 0; k < int(passes.arrays.size()); ++k) {
         const synthesis::ArrayStorage& array = passes.arrays[std::size_t(k)];
         if (array.has_grid && array.capacity > most_elements_by_place) {
-            refuse(scene, count_of(scene, k),
+            refuse(one, count_of(one, k),
                    fmt::format("the array has {} elements; a page shows at most {}: {}",
                                array.capacity, most_elements_by_place, instead));
         }
@@ -43,34 +42,30 @@ void expect_few_elements(const scene::Scene& scene, const synthesis::Passes& pas
         if (array.capacity > passes.arrays[std::size_t(largest)].capacity) largest = k;
     }
     if (others > most_elements) {
-        refuse(scene, count_of(scene, largest),
+        refuse(one, count_of(one, largest),
                fmt::format("arrays whose elements a page cannot find by place have {} elements; it "
                            "shows at most {} of them: {}",
                            others, most_elements, instead));
     }
 }
 
-void expect_known(const scene::Scene& scene) {
-    if (!scene::has_several_surfaces(scene)) return;
-    scene::for_each_surface(scene, [](const scene::Scene& surface) {
-        if (!surface.surface.material.glass) return;
-        refuse(surface, "material.transmission",
-               "a page shows glass of one surface alone; leave it out, or share a movie (isomotion "
-               "render --movie)");
-    });
+void expect_known(const scene::OneSurface& one) {
+    if (one.is_alone() || !one.surface.material.glass) return;
+    refuse(one, "material.transmission",
+           "a page shows glass of one surface alone; leave it out, or share a movie (isomotion "
+           "render --movie)");
 }
 
-WebSurface web_surface(scene::Scene scene) {
-    WebSurface web;
-    scene.surface.isolation.certify = false;
-    web.passes = synthesis::assemble(
-        scene, {}, {.platform = synthesis::Platform::webgl, .writes_buffers = false});
-    expect_few_elements(scene, web.passes);
+WebSurface web_surface(const scene::OneSurface& one) {
+    WebSurface web{one,
+                   synthesis::assemble(
+                       one, {}, {.platform = synthesis::Platform::webgl, .writes_buffers = false}),
+                   {}};
+    expect_few_elements(one, web.passes);
     synthesis::check_size(web.passes);
-    web.plan = render::plan_scene(scene, web.passes, largest_tile, largest_tile, largest_tile, {});
+    web.plan = render::plan_scene(one, web.passes, largest_tile, largest_tile, largest_tile, {});
     if (web.plan.march.evaluations_per_pass <= 1)
         web.passes = synthesis::without_fused_pass(std::move(web.passes));
-    web.scene = std::move(scene);
     return web;
 }
 
@@ -89,12 +84,13 @@ void agree(std::vector<WebSurface>& surfaces) {
 } // namespace
 
 WebScene web_scene(scene::Scene scene) {
-    expect_known(scene);
+    for (scene::Surface& surface : scene.surfaces) surface.isolation.certify = false;
     WebScene web;
-    for (int k = 0; k < int(scene::surface_count(scene)); ++k)
-        web.surfaces.push_back(web_surface(scene::of_surface(scene, k)));
-    if (web.surfaces.size() > 1) agree(web.surfaces);
-    web.whole = std::move(scene);
+    web.scene = std::make_shared<const scene::Scene>(std::move(scene));
+    const std::size_t count = web.scene->surfaces.size();
+    for (std::size_t k = 0; k < count; ++k) expect_known({*web.scene, k});
+    for (std::size_t k = 0; k < count; ++k) web.surfaces.push_back(web_surface({*web.scene, k}));
+    if (count > 1) agree(web.surfaces);
     return web;
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <memory>
 #include <vector>
 
 #include "render/scene_plan.h"
@@ -21,16 +22,14 @@ inline constexpr int largest_tile = synthesis::tile_of_copies;
 
 // One surface of a scene, whose passes begin where those of the ones before have ended.
 struct WebSurface {
-    scene::Scene scene; // without proofs, for which GLSL ES lacks `precise`
+    scene::OneSurface one;
     synthesis::Passes passes;
     render::ScenePlan plan; // of a tile
 };
 
 struct WebScene {
-    std::vector<WebSurface> surfaces; // in the file's order
-    scene::Scene whole;
-
-    const WebSurface& first() const { return surfaces.front(); } // has the shared settings
+    std::shared_ptr<const scene::Scene> scene; // without proofs, for which GLSL ES lacks `precise`
+    std::vector<WebSurface> surfaces;          // in the file's order
 };
 
 // Throws SceneError ("file:line: key: what is wrong, what would be right") for a scene that a page

@@ -394,7 +394,8 @@ private:
 
     void fit_camera() {
         if (const auto at = scene_now()) {
-            hold_camera(fitted(at->camera, at->surface.bounds, at->surface.placement,
+            hold_camera(fitted(at->camera, at->surfaces.front().bounds,
+                               at->surfaces.front().placement,
                                double(size_.x) / double(std::max(size_.y, 1))));
         }
     }

@@ -79,14 +79,14 @@ int evaluations_of_a_beam(const synthesis::Passes& passes, const formula::Field&
     return int(synthesis::has_lists(passes) ? most : std::min(most, fitting));
 }
 
-BeamPass::BeamPass(const synthesis::Passes& passes, const scene::Scene& scene,
+BeamPass::BeamPass(const synthesis::Passes& passes, const scene::OneSurface& one,
                    const MarchPlan& plan, int texels, int first_list)
     : computes_(passes.stage == synthesis::Stage::compute) {
     const double part = part_of_lists(passes, plan, texels, first_list);
     const int elements = passes.arrays.empty() ? 0 : passes.arrays[0].capacity;
     const auto evaluations = [&](const synthesis::BeamLevel& level) {
-        const int most = evaluations_of_a_beam(passes, *scene.surface.field, level.lists);
-        const bool ends_early = computes_ && level.by_models && !scene.surface.isolation.certify;
+        const int most = evaluations_of_a_beam(passes, *one.surface.field, level.lists);
+        const bool ends_early = computes_ && level.by_models && !one.surface.isolation.certify;
         return ends_early ? std::min(most, most_pieces_in_compute) : most;
     };
     for (const synthesis::BeamLevel& level : passes.beams) {

@@ -29,7 +29,7 @@ class BeamPass {
 public:
     // For tiles as planned. Lists of elements start at element `first_list` of the array's buffer
     // and extend to its `texels`.
-    BeamPass(const synthesis::Passes& passes, const scene::Scene& scene, const MarchPlan& plan,
+    BeamPass(const synthesis::Passes& passes, const scene::OneSurface& one, const MarchPlan& plan,
              int texels, int first_list);
 
     // The total number of elements in its lists.

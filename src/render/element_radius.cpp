@@ -105,13 +105,13 @@ double radius_around(Alone<double>& alone, const std::array<double, 3>& place, d
 
 } // namespace
 
-double least_element_radius(const scene::Scene& scene, const scene::SceneAt& now) {
+double least_element_radius(const formula::Field& field, const scene::SurfaceAt& now) {
     double least = std::numeric_limits<double>::infinity();
-    const Bindings<float>& all = now.surface.bindings;
+    const Bindings<float>& all = now.bindings;
     if (all.arrays.size() != 1 || all.arrays[0].count == 0) return least;
-    Alone<Interval> bounded(scene.surface.field->value, all);
-    Alone<double> sampled(scene.surface.field->value, all);
-    const glm::dvec3 &low = now.surface.bounds.min, &high = now.surface.bounds.max;
+    Alone<Interval> bounded(field.value, all);
+    Alone<double> sampled(field.value, all);
+    const glm::dvec3 &low = now.bounds.min, &high = now.bounds.max;
     const Box whole{Interval{low.x, high.x}, {low.y, high.y}, {low.z, high.z}};
     const int elements = std::min(all.arrays[0].count, most_elements);
     for (int k = 0; k < elements; ++k) {
@@ -119,15 +119,14 @@ double least_element_radius(const scene::Scene& scene, const scene::SceneAt& now
         bounded.choose(element);
         sampled.choose(element);
         const auto place = place_of_most(bounded, whole);
-        least = std::min(least, radius_around(sampled, place, now.surface.bounds.radius));
+        least = std::min(least, radius_around(sampled, place, now.bounds.radius));
     }
     return least;
 }
 
-double ElementRadius::least(const scene::Scene& scene, const scene::SceneAt& now) {
-    if (!known_ || known_->elements != now.surface.bindings ||
-        known_->bounds != now.surface.bounds) {
-        known_ = Known{now.surface.bindings, now.surface.bounds, least_element_radius(scene, now)};
+double ElementRadius::least(const formula::Field& field, const scene::SurfaceAt& now) {
+    if (!known_ || known_->elements != now.bindings || known_->bounds != now.bounds) {
+        known_ = Known{now.bindings, now.bounds, least_element_radius(field, now)};
     }
     return known_->least;
 }

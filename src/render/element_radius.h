@@ -16,13 +16,13 @@ namespace isomotion::render {
 // change, if it is too weak to take F to 0. Infinite if the scene has no array or several, or if
 // all its elements reach a quarter of the bounds' radius; never less than a 64th of that. Takes
 // some hundred evaluations of F with one element for each.
-double least_element_radius(const scene::Scene& scene, const scene::SceneAt& now);
+double least_element_radius(const formula::Field& field, const scene::SurfaceAt& now);
 
 // The same, cached as long as the elements and the bounds stay, since a frame consists of many
 // pictures, one for each sample of a pixel.
 class ElementRadius {
 public:
-    double least(const scene::Scene& scene, const scene::SceneAt& now);
+    double least(const formula::Field& field, const scene::SurfaceAt& now);
 
 private:
     struct Known {

@@ -70,7 +70,7 @@ Picture expose(Renderer& renderer, const scene::Scene& scene, int frame) {
 }
 
 bool ask(Renderer& renderer, const FrameInputs& frame) {
-    const bool is_plain = frame.pictures.size() == 1 && !frame.pictures.front().motion;
+    const bool is_plain = frame.pictures.size() == 1 && !frame.pictures.front().moving;
     if (!is_plain || renderer.most_in_flight() < 2) return false;
     renderer.start(frame.pictures.front());
     return true;

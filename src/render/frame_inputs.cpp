@@ -65,9 +65,9 @@ void add(base::Fingerprint& print, const synthesis::Uniforms& uniforms) {
 }
 
 // Where a surface and a camera are: what velocities are differences of.
-void add_places(base::Fingerprint& print, const scene::SceneAt& at) {
+void add_places(base::Fingerprint& print, const scene::OneSurfaceAt& at) {
     const auto& [translate, rotate, scale] = at.surface.placement;
-    const scene::CameraAt& camera = at.camera;
+    const scene::CameraAt& camera = at.scene.camera;
     for (const glm::dvec3& v :
          {translate, rotate[0], rotate[1], rotate[2], camera.position, camera.target, camera.up}) {
         add_value(print, v);
@@ -75,76 +75,14 @@ void add_places(base::Fingerprint& print, const scene::SceneAt& at) {
     for (const double number : {scale, camera.fov, camera.height, camera.zoom}) {
         add_value(print, number);
     }
+    if (!at.scene.sections.empty())
+        print.add_values(std::span<const glm::vec4>(scene::packed(at.scene.sections)));
 }
 
-elements::ElementGrid grid_of(const elements::GridMaker& maker, const scene::SceneAt& at,
-                              const InputLayout& layout) {
-    elements::ElementGrid grid = maker.make(
-        at.surface.bindings, scene::region_of_elements(at.surface.bounds), layout.grid_limits);
-    if (grid.longest > layout.most_elements_at_a_place) {
-        throw std::length_error(fmt::format(
-            "{} elements of an array matter at one place; a shader can sum {}: smaller kernels, "
-            "or fewer elements in one place",
-            grid.longest, layout.most_elements_at_a_place));
-    }
-    return grid;
-}
-
-formula::TapeCells tapes_of(const scene::SceneAt& at, const InputLayout& layout) {
-    std::array<formula::Interval, 3> box;
-    for (int k = 0; k < 3; ++k)
-        box[std::size_t(k)] = {at.surface.bounds.min[k], at.surface.bounds.max[k]};
-    return formula::tape_cells(layout.passes.tapes->groups(), at.surface.bindings.parameters, box,
-                               layout.tape_limits);
-}
-
-FieldInputs field_inputs(const scene::Scene& scene, const scene::SceneAt& at,
-                         const InputLayout& layout) {
-    const synthesis::Passes& passes = layout.passes;
-    FieldInputs field;
-    if (layout.grid) field.grid = grid_of(*layout.grid, at, layout);
-    if (passes.tapes) field.tapes = tapes_of(at, layout);
-    field.parameters = parameter_block(passes, at, field.grid ? &*field.grid : nullptr);
-    if (field.tapes) describe_tapes(passes, *field.tapes, field.parameters);
-    for (std::size_t a = 0; a < passes.arrays.size(); ++a) {
-        field.arrays.push_back(array_texels(scene, passes, at, a));
-    }
-    return field;
-}
-
-} // namespace
-
-std::shared_ptr<const elements::ElementGrid> grid(const PictureInputs& inputs) {
-    if (!inputs.field->grid) return nullptr;
-    return {inputs.field, &*inputs.field->grid};
-}
-
-ViewInputs view_inputs(const scene::Scene& scene, const scene::SceneAt& now, int width, int height,
-                       const scene::Aim& aim, const synthesis::Passes& passes,
-                       ElementRadius* element_radius) {
-    const bool by_cubics =
-        scene::traits(scene.surface.isolation.method).steps == scene::Steps::cubics;
-    double radius = by_cubics && element_radius ? element_radius->least(scene, now)
-                                                : std::numeric_limits<double>::infinity();
-    if (passes.tapes && passes.tapes->chooses())
-        radius = std::min(radius, 2 * longest_piece_of_tapes(now.surface.bounds));
-    ViewInputs view{frame_block(scene, now, width, height, aim, radius), {}};
-    for (const synthesis::BeamLevel& level : passes.beams) {
-        view.beams.push_back(beam_range(now, width, height, aim, level.block));
-    }
-    return view;
-}
-
-void PictureInputs::add_to(base::Fingerprint& print) const {
+void add(base::Fingerprint& print, const SurfaceInputs& inputs) {
     // A member more does not compile here until it is part of the fingerprint.
-    const auto& [across, up, of_eye, of_field, of_shading, of_effects, of_lights, of_proofs,
-                 of_motion, told_by_eye, asked, no_pixel, of_others] = *this;
-    (void)told_by_eye;
-    (void)asked; // decides no pixel either
-    (void)no_pixel;
-    for (const PictureInputs& other : of_others) other.add_to(print);
-    add_value(print, across);
-    add_value(print, up);
+    const auto& [of_eye, of_field, of_shading, of_effects, of_lights, of_proofs, of_motion] =
+        inputs;
     add(print, of_eye);
     add(print, *of_field);
     print.add_values(std::span<const glm::vec4>(of_shading));
@@ -167,13 +105,7 @@ void PictureInputs::add_to(base::Fingerprint& print) const {
         }
     }
     if (of_motion) {
-        const auto& [now, motion_about, frame_before, frame_after, before, after] = *of_motion;
-        for (const scene::SceneAt* at : {&now, &motion_about.before, &motion_about.after}) {
-            add_places(print, *at);
-            if (!at->sections.empty())
-                print.add_values(std::span<const glm::vec4>(scene::packed(at->sections)));
-        }
-        add_value(print, motion_about.seconds);
+        const auto& [frame_before, frame_after, before, after] = *of_motion;
         add_value(print, frame_before);
         add_value(print, frame_after);
         add(print, before);
@@ -181,42 +113,116 @@ void PictureInputs::add_to(base::Fingerprint& print) const {
     }
 }
 
-std::shared_ptr<const FieldInputs>
-SharedField::at(const scene::Scene& scene, const scene::SceneAt& now, const InputLayout& layout) {
-    if (!of_ || *of_ != now.surface.bindings || bounds_ != now.surface.bounds) {
-        of_ = now.surface.bindings;
-        bounds_ = now.surface.bounds;
-        made_ = std::make_shared<const FieldInputs>(field_inputs(scene, now, layout));
+elements::ElementGrid grid_of(const elements::GridMaker& maker, const scene::SurfaceAt& at,
+                              const InputLayout& layout) {
+    elements::ElementGrid grid =
+        maker.make(at.bindings, scene::region_of_elements(at.bounds), layout.grid_limits);
+    if (grid.longest > layout.most_elements_at_a_place) {
+        throw std::length_error(fmt::format(
+            "{} elements of an array matter at one place; a shader can sum {}: smaller kernels, "
+            "or fewer elements in one place",
+            grid.longest, layout.most_elements_at_a_place));
+    }
+    return grid;
+}
+
+formula::TapeCells tapes_of(const scene::SurfaceAt& at, const InputLayout& layout) {
+    std::array<formula::Interval, 3> box;
+    for (int k = 0; k < 3; ++k) box[std::size_t(k)] = {at.bounds.min[k], at.bounds.max[k]};
+    return formula::tape_cells(layout.passes.tapes->groups(), at.bindings.parameters, box,
+                               layout.tape_limits);
+}
+
+FieldInputs field_inputs(const formula::Field& field, const scene::SurfaceAt& at,
+                         const InputLayout& layout) {
+    const synthesis::Passes& passes = layout.passes;
+    FieldInputs made;
+    if (layout.grid) made.grid = grid_of(*layout.grid, at, layout);
+    if (passes.tapes) made.tapes = tapes_of(at, layout);
+    made.parameters = parameter_block(passes, at, made.grid ? &*made.grid : nullptr);
+    if (made.tapes) describe_tapes(passes, *made.tapes, made.parameters);
+    for (std::size_t a = 0; a < passes.arrays.size(); ++a) {
+        made.arrays.push_back(array_texels(field, passes, at, a));
+    }
+    return made;
+}
+
+} // namespace
+
+std::shared_ptr<const elements::ElementGrid> grid(const SurfaceInputs& inputs) {
+    if (!inputs.field->grid) return nullptr;
+    return {inputs.field, &*inputs.field->grid};
+}
+
+ViewInputs view_inputs(const scene::OneSurface& one, const scene::OneSurfaceAt& now, int width,
+                       int height, const scene::Aim& aim, const synthesis::Passes& passes,
+                       ElementRadius* element_radius) {
+    const bool by_cubics =
+        scene::traits(one.surface.isolation.method).steps == scene::Steps::cubics;
+    double radius = by_cubics && element_radius
+                        ? element_radius->least(*one.surface.field, now.surface)
+                        : std::numeric_limits<double>::infinity();
+    if (passes.tapes && passes.tapes->chooses())
+        radius = std::min(radius, 2 * longest_piece_of_tapes(now.surface.bounds));
+    ViewInputs view{frame_block(one, now, width, height, aim, radius), {}};
+    for (const synthesis::BeamLevel& level : passes.beams) {
+        view.beams.push_back(beam_range(now, width, height, aim, level.block));
+    }
+    return view;
+}
+
+void PictureInputs::add_to(base::Fingerprint& print) const {
+    // As above: all members but the last three decide pixels.
+    const auto& [across, up, all, times, told_by_eye, asked, no_pixel] = *this;
+    (void)told_by_eye;
+    (void)asked;
+    (void)no_pixel;
+    add_value(print, across);
+    add_value(print, up);
+    for (const SurfaceInputs& surface : all) add(print, surface);
+    if (!times) return;
+    for (std::size_t k = 0; k < all.size(); ++k) {
+        for (const scene::SceneAt* at : {&times->now, &times->about.before, &times->about.after})
+            add_places(print, {*at, k});
+    }
+    add_value(print, times->about.seconds);
+}
+
+std::shared_ptr<const FieldInputs> SharedField::at(const formula::Field& field,
+                                                   const scene::SurfaceAt& now,
+                                                   const InputLayout& layout) {
+    if (!of_ || *of_ != now.bindings || bounds_ != now.bounds) {
+        of_ = now.bindings;
+        bounds_ = now.bounds;
+        made_ = std::make_shared<const FieldInputs>(field_inputs(field, now, layout));
     }
     return made_;
 }
 
-PictureInputs picture_inputs(const scene::Scene& scene, const scene::SceneAt& now,
+SurfaceInputs surface_inputs(const scene::OneSurface& one, const scene::OneSurfaceAt& now,
                              const scene::Aim& aim, const Motion* motion, const InputLayout& layout,
                              ElementRadius& element_radius, SharedField& field) {
     const synthesis::Passes& passes = layout.passes;
+    const formula::Field& formula = *one.surface.field;
     const int width = layout.width, height = layout.height;
-    PictureInputs inputs;
-    inputs.width = width;
-    inputs.height = height;
-    inputs.aim = aim;
-    inputs.eye = view_inputs(scene, now, width, height, aim, passes, &element_radius);
-    inputs.field = field.at(scene, now, layout);
-    inputs.shading = shading_block(scene, now, width, height);
-    inputs.effects = synthesis::effect_uniforms(scene, now);
+    SurfaceInputs inputs;
+    inputs.eye = view_inputs(one, now, width, height, aim, passes, &element_radius);
+    inputs.field = field.at(formula, now.surface, layout);
+    inputs.shading = shading_block(one, now, width, height);
+    inputs.effects = synthesis::effect_uniforms(one, now);
     if (passes.light_beams != 0) {
-        inputs.lights = light_inputs(scene, now, passes, layout.light_pixels);
+        inputs.lights = light_inputs(one, now, passes, layout.light_pixels);
     }
     if (passes.has(synthesis::Role::proof)) {
-        inputs.proofs = proof_rays(scene, now, width, height, aim);
+        inputs.proofs = proof_rays(one, now, width, height, aim);
     }
     if (motion) {
-        inputs.motion = MotionInputs{now,
-                                     *motion,
-                                     frame_block(scene, motion->before, width, height, aim),
-                                     frame_block(scene, motion->after, width, height, aim),
-                                     field_inputs(scene, motion->before, layout),
-                                     field_inputs(scene, motion->after, layout)};
+        const scene::OneSurfaceAt before(motion->before, one.index);
+        const scene::OneSurfaceAt after(motion->after, one.index);
+        inputs.motion = MotionInputs{frame_block(one, before, width, height, aim),
+                                     frame_block(one, after, width, height, aim),
+                                     field_inputs(formula, before.surface, layout),
+                                     field_inputs(formula, after.surface, layout)};
     }
     return inputs;
 }

@@ -51,14 +51,12 @@ struct LightInputs {
 
 // F at two times around the frame's time, for the channel velocity.
 struct MotionInputs {
-    scene::SceneAt now;
-    Motion motion;
     FrameBlock frame_before, frame_after; // the camera and the surface at those times
     FieldInputs before, after;
 };
 
-struct PictureInputs {
-    int width = 0, height = 0;
+// One surface of a picture.
+struct SurfaceInputs {
     ViewInputs eye;
     std::shared_ptr<const FieldInputs> field; // shared by pictures of one time
     std::vector<glm::vec4> shading;           // block Shading
@@ -66,20 +64,30 @@ struct PictureInputs {
     std::vector<LightInputs> lights;
     std::optional<ProofRays> proofs;
     std::optional<MotionInputs> motion;
-    scene::Aim aim; // the aim of `eye`
+};
+
+struct PictureInputs {
+    int width = 0, height = 0;
+    std::vector<SurfaceInputs> surfaces; // as the scene lists them
+    // For velocities: the picture's time, and those around it.
+    struct Moving {
+        scene::SceneAt now;
+        Motion about;
+    };
+    std::optional<Moving> moving{};
+    scene::Aim aim{}; // of the eye; decides no pixel that `surfaces` doesn't
     // Pixels whose endings are wanted, row by row from the top, ascending. They don't affect
     // pixels.
     std::vector<int> endings_of{};
     // The time that preparation took; doesn't affect pixels.
     std::chrono::duration<double> preparing{};
-    std::vector<PictureInputs> others{}; // for a scene's other surfaces
 
-    glm::vec4 background() const { return shading[1]; }
+    glm::vec4 background() const { return surfaces.front().shading[1]; }
     void add_to(base::Fingerprint& print) const;
 };
 
-// The grid by which the picture's field finds its elements; null if it sums over all elements.
-std::shared_ptr<const elements::ElementGrid> grid(const PictureInputs& inputs);
+// The grid by which the surface's field finds its elements; null if it sums over all elements.
+std::shared_ptr<const elements::ElementGrid> grid(const SurfaceInputs& inputs);
 
 struct FrameInputs {
     scene::SceneAt now;                  // the scene at the frame's time
@@ -102,14 +110,14 @@ struct InputLayout {
 };
 
 // `element_radius`: for rays that march by cubics, otherwise null.
-ViewInputs view_inputs(const scene::Scene& scene, const scene::SceneAt& now, int width, int height,
-                       const scene::Aim& aim, const synthesis::Passes& passes,
+ViewInputs view_inputs(const scene::OneSurface& one, const scene::OneSurfaceAt& now, int width,
+                       int height, const scene::Aim& aim, const synthesis::Passes& passes,
                        ElementRadius* element_radius);
 
 // The field's values made last, reused for pictures with the same elements and parameters.
 class SharedField {
 public:
-    std::shared_ptr<const FieldInputs> at(const scene::Scene& scene, const scene::SceneAt& now,
+    std::shared_ptr<const FieldInputs> at(const formula::Field& field, const scene::SurfaceAt& now,
                                           const InputLayout& layout);
 
 private:
@@ -118,8 +126,9 @@ private:
     std::shared_ptr<const FieldInputs> made_;
 };
 
-// Inputs of one picture. `element_radius` is cached between pictures of the same elements.
-PictureInputs picture_inputs(const scene::Scene& scene, const scene::SceneAt& now,
+// Inputs of a surface in one picture. `motion`: for velocities, otherwise null. `element_radius` is
+// cached between pictures of the same elements.
+SurfaceInputs surface_inputs(const scene::OneSurface& one, const scene::OneSurfaceAt& now,
                              const scene::Aim& aim, const Motion* motion, const InputLayout& layout,
                              ElementRadius& element_radius, SharedField& field);
 

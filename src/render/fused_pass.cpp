@@ -20,9 +20,10 @@ void clear_to_misses(const gpu::Target& target, const std::vector<Channel>& chan
     }
 }
 
-FusedPass::FusedPass(const synthesis::Passes& passes, const gpu::Target& result)
-    : result_(result)
-    , channels_(passes.attachments) {}
+FusedPass::FusedPass(SurfacePasses& only, const gpu::Target& result, bool reads_at_once)
+    : only_(only)
+    , result_(result)
+    , reads_at_once_(reads_at_once) {}
 
 // Mesa's software renderer clears pixels of 16 bytes one by one, which takes a tenth of a cheap
 // frame or more. From one frame to the next few blocks become empty.
@@ -35,25 +36,36 @@ Blocks FusedPass::blocks_to_draw(const gpu::Rectangle& area, glm::vec4 backgroun
             if (is_left && blocks.kinds[k] == BlockKind::empty) drawn.kinds[k] = BlockKind::open;
         }
     } else {
-        clear_to_misses(result_, channels_, background);
+        clear_to_misses(result_, only_.passes.attachments, background);
     }
     before_ = {area, background, blocks};
     return drawn;
 }
 
-void FusedPass::draw(PassTable& table, const gpu::Rectangle& tile, const ScenePlan& plan,
-                     glm::vec4 background, const Blocks& blocks) {
-    const Blocks drawn = blocks_to_draw(table.in_targets(tile), background, blocks);
-    const auto draw = [&](Role role, BlockKind kind, gpu::Squares& squares) {
-        const gpu::Program& program = table.program(role);
-        program.set("evaluations_per_pass", plan.march.evaluations_per_pass);
-        program.set("element_budget", plan.element_budget);
-        squares.set(squares_of(drawn, kind));
-        table.draw(program, tile, squares);
-    };
-    result_.bind();
-    draw(Role::fused, BlockKind::open, open_);
-    if (table.has(Role::settled)) draw(Role::settled, BlockKind::settled, settled_);
+void FusedPass::draw(const PictureInputs& inputs, const gpu::Rectangle& tile, int& draws) {
+    PassTable& table = only_.table;
+    const SurfaceInputs& surface = inputs.surfaces.front();
+    only_.draw_beams(surface, tile);
+    const gpu::Rectangle area = table.in_targets(tile);
+    const bool is_box = only_.drawn.surface.bounds.shape == scene::Bounds::Shape::box;
+    const bool by_beams = only_.beams && only_.passes.beams.back().block == Blocks::side;
+    table.timed([&] {
+        const Blocks drawn =
+            blocks_to_draw(area, inputs.background(),
+                           by_beams ? only_.beams->blocks(area, reads_at_once_)
+                                    : blocks_in_bounds(surface.eye.frame, is_box, tile));
+        const auto draw_blocks = [&](Role role, BlockKind kind, gpu::Squares& squares) {
+            const gpu::Program& program = table.program(role);
+            program.set("evaluations_per_pass", only_.plan.march.evaluations_per_pass);
+            program.set("element_budget", only_.plan.element_budget);
+            squares.set(squares_of(drawn, kind));
+            table.draw(program, tile, squares);
+        };
+        result_.bind();
+        draw_blocks(Role::fused, BlockKind::open, open_);
+        if (table.has(Role::settled)) draw_blocks(Role::settled, BlockKind::settled, settled_);
+    });
+    ++draws;
 }
 
 } // namespace isomotion::render

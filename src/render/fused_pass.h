@@ -1,4 +1,5 @@
-// Marches and shades a tile in one draw, for plain pictures whose rays end within one pass.
+// Marches and shades a tile of a single surface in one draw, for plain pictures whose rays end
+// within one pass.
 #pragma once
 
 #include <optional>
@@ -9,8 +10,8 @@
 #include "gpu/squares.h"
 #include "gpu/target.h"
 #include "render/block_squares.h"
-#include "render/pass_table.h"
-#include "render/scene_plan.h"
+#include "render/drawing_route.h"
+#include "render/surface_passes.h"
 
 namespace isomotion::render {
 
@@ -19,15 +20,14 @@ namespace isomotion::render {
 void clear_to_misses(const gpu::Target& target, const std::vector<synthesis::Channel>& channels,
                      glm::vec4 background);
 
-class FusedPass {
+class FusedPass : public OneDraw {
 public:
     // Draws into `result`, which must outlive it and be drawn into by nothing else: colour, record
-    // and the attachments of `passes`.
-    FusedPass(const synthesis::Passes& passes, const gpu::Target& result);
+    // and the attachments of the surface's passes. `reads_at_once`: see BeamPass::blocks().
+    FusedPass(SurfacePasses& only, const gpu::Target& result, bool reads_at_once);
 
-    // The shaders don't run in empty blocks. Their pixels are misses with the colour `background`.
-    void draw(PassTable& table, const gpu::Rectangle& tile, const ScenePlan& plan,
-              glm::vec4 background, const Blocks& blocks);
+    // The shaders don't run in empty blocks. Their pixels are misses with the background's colour.
+    void draw(const PictureInputs& inputs, const gpu::Rectangle& tile, int& draws) override;
 
 private:
     // The draw before, which left the pixels of its empty blocks as misses.
@@ -41,9 +41,10 @@ private:
     // Clears the target if it doesn't hold misses elsewhere.
     Blocks blocks_to_draw(const gpu::Rectangle& area, glm::vec4 background, const Blocks& blocks);
 
+    SurfacePasses& only_;
     const gpu::Target& result_;
+    bool reads_at_once_;
     std::optional<Before> before_;
-    std::vector<synthesis::Channel> channels_; // of the attachments from the third on
     gpu::Squares open_, settled_;
 };
 

@@ -3,7 +3,6 @@
 #include <utility>
 
 #include "render/fused_pass.h"
-#include "scene/nth_surface.h"
 
 namespace isomotion::render {
 
@@ -23,7 +22,7 @@ void FusedSurfaces::draw(const PictureInputs& inputs, const gpu::Rectangle& tile
     for (std::size_t k = 0; k < all_.size(); ++k) {
         SurfacePasses& one = *all_[k];
         one.bind();
-        one.draw_beams(scene::nth_surface(inputs, k), tile);
+        one.draw_beams(inputs.surfaces[k], tile);
         if (k > 0) {
             before_.copy_from(result_, one.table.in_targets(tile));
             one.table.bind_numbered("before_texture", before_);
@@ -32,8 +31,10 @@ void FusedSurfaces::draw(const PictureInputs& inputs, const gpu::Rectangle& tile
         const gpu::Program& program = one.table.program(Role::fused);
         program.set("evaluations_per_pass", one.plan.march.evaluations_per_pass);
         program.set("element_budget", one.plan.element_budget);
-        mask_.set([&] { one.table.draw(one.table.program(Role::mask), tile); });
-        mask_.apply([&] { one.table.draw(program, tile); });
+        one.table.timed([&] {
+            mask_.set([&] { one.table.draw(one.table.program(Role::mask), tile); });
+            mask_.apply([&] { one.table.draw(program, tile); });
+        });
         ++draws;
     }
 }

@@ -6,6 +6,7 @@
 
 #include "gpu/depth_mask.h"
 #include "gpu/target.h"
+#include "render/drawing_route.h"
 #include "render/surface_passes.h"
 
 namespace isomotion::render {
@@ -13,15 +14,13 @@ namespace isomotion::render {
 // The format of the last attachment of pictures drawn so, behind colour, record and channels.
 inline constexpr gpu::Format way_format = gpu::Format::r32f;
 
-class FusedSurfaces {
+class FusedSurfaces : public OneDraw {
 public:
     // `all`, which have fused passes, and `result` outlive this.
     FusedSurfaces(std::vector<SurfacePasses*> all, const gpu::Target& result,
                   std::vector<gpu::Format> formats);
 
-    // Draws a tile, whose inputs are uploaded, into `result`; adds its draws to `draws`. Where a
-    // ray did not end, the record says so, and the tile has to be drawn in passes.
-    void draw(const PictureInputs& inputs, const gpu::Rectangle& tile, int& draws);
+    void draw(const PictureInputs& inputs, const gpu::Rectangle& tile, int& draws) override;
 
 private:
     std::vector<SurfacePasses*> all_;

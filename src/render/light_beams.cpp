@@ -8,13 +8,12 @@ namespace isomotion::render {
 namespace {
 
 // All of the bounds, as the light sees them.
-scene::SceneAt seen_from(const scene::LightAt& light, const scene::SceneAt& now) {
-    scene::SceneAt view = now;
-    const double radius = now.surface.bounds.radius * now.surface.placement.scale;
+scene::SceneAt seen_from(const scene::LightAt& light, const scene::SurfaceAt& now) {
+    scene::SceneAt view;
+    const double radius = now.bounds.radius * now.placement.scale;
     scene::CameraAt& camera = view.camera;
-    camera = {};
     camera.projection = scene::Camera::Projection::orthographic;
-    camera.target = now.surface.placement.to_world(now.surface.bounds.centre);
+    camera.target = now.placement.to_world(now.bounds.centre);
     camera.position = camera.target + 2 * radius * light.direction;
     camera.up = std::abs(light.direction.z) < 0.9 ? glm::dvec3(0, 0, 1) : glm::dvec3(1, 0, 0);
     camera.height = 2.02 * radius;
@@ -26,7 +25,7 @@ glm::vec4 row(const glm::dvec3& v, double w) { return glm::vec4(glm::dvec4(v, w)
 double square(const glm::dvec3& v) { return glm::dot(v, v); }
 
 // How a place of the surface finds its texel in the light's picture.
-std::array<glm::vec4, 4> to_light(const scene::SceneAt& view, int pixels) {
+std::array<glm::vec4, 4> to_light(const scene::OneSurfaceAt& view, int pixels) {
     const scene::Rays rays = scene::rays(view, pixels, pixels);
     const double half = 0.5 * pixels, rounding = beam_range(view, pixels, pixels, {}, 1).w;
     const glm::vec4 across = row(half / square(rays.right) * rays.right, half);
@@ -45,24 +44,25 @@ int light_pixels(int width, int height) {
     return BeamPass::square * std::clamp(squares, 1, 8);
 }
 
-std::vector<LightInputs> light_inputs(const scene::Scene& scene, const scene::SceneAt& now,
+std::vector<LightInputs> light_inputs(const scene::OneSurface& one, const scene::OneSurfaceAt& now,
                                       const synthesis::Passes& passes, int pixels) {
     std::vector<LightInputs> inputs;
-    for (std::size_t k = 0; k < now.lights.size(); ++k) {
+    for (std::size_t k = 0; k < now.scene.lights.size(); ++k) {
         if ((passes.light_beams >> k & 1) == 0) continue;
-        const scene::SceneAt view = seen_from(now.lights[k], now);
-        inputs.push_back({int(k), view_inputs(scene, view, pixels, pixels, {}, passes, nullptr),
+        const scene::SceneAt from = seen_from(now.scene.lights[k], now.surface);
+        const scene::OneSurfaceAt view(from, now.surface);
+        inputs.push_back({int(k), view_inputs(one, view, pixels, pixels, {}, passes, nullptr),
                           to_light(view, pixels)});
     }
     return inputs;
 }
 
-LightBeams::LightBeams(const synthesis::Passes& passes, const scene::Scene& scene, int pixels,
+LightBeams::LightBeams(const synthesis::Passes& passes, const scene::OneSurface& one, int pixels,
                        int texels, int first_list)
     : most_pixels_(pixels)
-    , beams_(passes, scene, {pixels, pixels * int(scene.lights.size()), 0}, texels, first_list)
+    , beams_(passes, one, {pixels, pixels * int(one.scene.lights.size()), 0}, texels, first_list)
     , frame_(sizeof(FrameBlock))
-    , to_light_(scene.lights.size() * 4) {}
+    , to_light_(one.scene.lights.size() * 4) {}
 
 void LightBeams::draw(PassTable& table, const std::vector<LightInputs>& lights, int pixels,
                       const ArrayBuffer* array) {

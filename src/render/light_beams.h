@@ -13,7 +13,7 @@ namespace isomotion::render {
 int light_pixels(int width, int height);
 
 // Inputs for the pictures of all lights that have one.
-std::vector<LightInputs> light_inputs(const scene::Scene& scene, const scene::SceneAt& now,
+std::vector<LightInputs> light_inputs(const scene::OneSurface& one, const scene::OneSurfaceAt& now,
                                       const synthesis::Passes& passes, int pixels);
 
 class LightBeams {
@@ -21,8 +21,8 @@ public:
     // For passes with light beams (Passes::light_beams), drawn by the programs of the eye's beams.
     // Pictures of lights have at most so many pixels per side. Lists of elements start at
     // `first_list`.
-    LightBeams(const synthesis::Passes& passes, const scene::Scene& scene, int pixels, int texels,
-               int first_list);
+    LightBeams(const synthesis::Passes& passes, const scene::OneSurface& one, int pixels,
+               int texels, int first_list);
 
     int listed() const { return beams_.listed(); }
     int most_pixels() const { return most_pixels_; }

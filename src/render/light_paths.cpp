@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "render/open_squares.h"
-#include "scene/nth_surface.h"
+#include "scene/surfaces.h"
 #include "synthesis/paths_text.h"
 
 namespace isomotion::render {
@@ -16,16 +16,16 @@ constexpr int textures_of_path_ends = 4; // shaders/surfaces/nearest.glsl
 
 } // namespace
 
-std::vector<glm::vec4> matters_at(const scene::SceneAt& now, const scene::Among& among,
+std::vector<glm::vec4> matters_at(const scene::Scene& scene, const scene::SceneAt& now,
                                   double unit) {
-    std::vector<glm::vec4> matters(2 * std::size_t(among.count), glm::vec4(0));
-    for (std::size_t rank = 0; rank < among.matters.size(); ++rank) {
-        const int k = among.matters[rank];
-        const scene::GlassAt& glass = scene::nth_surface(now, std::size_t(k)).surface.glass;
-        matters[2 * std::size_t(k)] = glm::dvec4(glass.ior, double(rank), 0, 0);
-        matters[2 * std::size_t(k) + 1] = glm::dvec4(unit * glass.absorption, 0);
+    std::vector<glm::vec4> found(2 * scene.surfaces.size(), glm::vec4(0));
+    double rank = 0;
+    for (const std::size_t k : scene::matters(scene)) {
+        const scene::GlassAt& glass = now.surfaces[k].glass;
+        found[2 * k] = glm::dvec4(glass.ior, rank++, 0, 0);
+        found[2 * k + 1] = glm::dvec4(unit * glass.absorption, 0);
     }
-    return matters;
+    return found;
 }
 
 LightPaths::LightPaths(std::vector<SurfacePasses*> all)
@@ -67,7 +67,7 @@ void LightPaths::begin(const gpu::Target& eye_ends, const gpu::Rectangle& tile,
     for (SurfacePasses* one : all_) {
         bind(*one, eye_ends, environment);
         const gpu::Program& first = one->table.program(Role::glass_first);
-        first.set("rays_left", all_.front()->scene.among.depth);
+        first.set("rays_left", scene::depth_of_matters(all_.front()->drawn.scene));
         mask_.set(kept_, [&] { one->table.draw(one->table.program(Role::glass_begins), tile); });
         mask_.apply(kept_, [&] { one->table.draw(first, tile); });
     }
@@ -127,9 +127,9 @@ void LightPaths::find_ends(const gpu::Rectangle& tile, int& draws) {
 // Surfaces draw over each other, the one whose matter counts before all others last.
 void LightPaths::look_beyond(const gpu::Target& ends, const gpu::Rectangle& tile) {
     beyond_.clear(0);
-    const std::vector<int>& matters = all_.front()->scene.among.matters;
+    const std::vector<std::size_t> matters = scene::matters(all_.front()->drawn.scene);
     for (auto k = matters.rbegin(); k != matters.rend(); ++k) {
-        SurfacePasses& one = *all_[std::size_t(*k)];
+        SurfacePasses& one = *all_[*k];
         bind(one, ends, nullptr);
         draw_open(one, Role::glass_beyond, tile);
     }
@@ -154,7 +154,8 @@ void LightPaths::trace(const gpu::Target& eye_ends, const gpu::Rectangle& tile,
     look_beyond(eye_ends, tile);
     begin(eye_ends, tile, environment);
     // Crossings of bounds are no rays of the depth, and the last one ends a path.
-    const int most = all_.front()->scene.among.depth + synthesis::most_crossings + 1;
+    const int most =
+        scene::depth_of_matters(all_.front()->drawn.scene) + synthesis::most_crossings + 1;
     for (int ray = 0; ray <= most && any_goes_on(tile); ++ray) {
         const gpu::Scissor in_area(around_in_targets());
         find_ends(tile, draws);

@@ -15,7 +15,7 @@
 namespace isomotion::render {
 
 // Uniform `matters` of shaders/paths/matter.glsl for a surface whose formula's unit is `unit`.
-std::vector<glm::vec4> matters_at(const scene::SceneAt& now, const scene::Among& among,
+std::vector<glm::vec4> matters_at(const scene::Scene& scene, const scene::SceneAt& now,
                                   double unit);
 
 // For scenes whose surfaces have Role::glass.

@@ -6,9 +6,10 @@ namespace isomotion::render {
 namespace {
 
 // Where a picture shows a point of the world: pixels to the right and down.
-glm::dvec2 pixel_of(const scene::SceneAt& scene, int width, int height, const glm::dvec3& world) {
-    const scene::Rays rays = scene::rays(scene, width, height);
-    const glm::dvec3 from = scene.surface.placement.to_local(world) - (rays.origin - rays.axis);
+glm::dvec2 pixel_of(const scene::OneSurfaceAt& now, int width, int height,
+                    const glm::dvec3& world) {
+    const scene::Rays rays = scene::rays(now, width, height);
+    const glm::dvec3 from = now.surface.placement.to_local(world) - (rays.origin - rays.axis);
     const double depth =
         rays.parallel ? 1 : glm::dot(from, rays.axis) / glm::dot(rays.axis, rays.axis);
     const glm::dvec3 across = from / depth - rays.axis;
@@ -55,16 +56,15 @@ glm::dvec3 place_on_ray(const scene::Rays& rays, const glm::ivec2& pixel, int wi
            t * glm::normalize(rays.parallel ? rays.axis : rays.axis + across);
 }
 
-glm::dvec3 velocity(const Motion& motion, const scene::SceneAt& now, int width, int height,
-                    const glm::dvec3& position, const glm::dvec4& before, const glm::dvec4& after) {
+glm::dvec3 velocity(const SurfaceMotion& motion, int width, int height, const glm::dvec3& position,
+                    const glm::dvec4& before, const glm::dvec4& after) {
     const glm::dvec3 gradient = 0.5 * (glm::dvec3(before) + glm::dvec3(after));
     const double slope = glm::length(gradient);
     if (!(slope > 0) || !(motion.seconds > 0)) return {0, 0, 0};
-    const double speed =
-        -(after.w - before.w) / motion.seconds / slope * now.surface.placement.scale;
-    const glm::dvec3 way =
-        0.5 * motion.seconds * speed / slope * (now.surface.placement.rotate * gradient);
-    const glm::dvec3 world = now.surface.placement.to_world(position);
+    const scene::PlacementAt& place = motion.now.surface.placement;
+    const double speed = -(after.w - before.w) / motion.seconds / slope * place.scale;
+    const glm::dvec3 way = 0.5 * motion.seconds * speed / slope * (place.rotate * gradient);
+    const glm::dvec3 world = place.to_world(position);
     const glm::dvec2 step = pixel_of(motion.after, width, height, world + way) -
                             pixel_of(motion.before, width, height, world - way);
     return {speed, step / motion.seconds};

@@ -20,6 +20,18 @@ struct Motion {
     double seconds = 0; // from `before` to `after`
 };
 
+// The motion of one surface. It refers to its scene's states, which must outlive it.
+struct SurfaceMotion {
+    SurfaceMotion(const scene::SceneAt& its_scene, const Motion& motion, std::size_t index)
+        : now(its_scene, index)
+        , before(motion.before, index)
+        , after(motion.after, index)
+        , seconds(motion.seconds) {}
+
+    scene::OneSurfaceAt now, before, after;
+    double seconds;
+};
+
 // A tenth of a frame around the frame's time; one-sided at the beginning and the end of an
 // animation that doesn't loop. Throws as scene::at does.
 Motion motion_about(const scene::Scene& scene, int frame);
@@ -36,7 +48,7 @@ glm::dvec3 place_on_ray(const scene::Rays& rays, const glm::ivec2& pixel, int wi
 // surface point in the picture, in pixels per second to the right and down, including the camera's
 // own motion. `position` is the hit in formula coordinates; `before` and `after` hold the gradient
 // and the value of F there.
-glm::dvec3 velocity(const Motion& motion, const scene::SceneAt& now, int width, int height,
-                    const glm::dvec3& position, const glm::dvec4& before, const glm::dvec4& after);
+glm::dvec3 velocity(const SurfaceMotion& motion, int width, int height, const glm::dvec3& position,
+                    const glm::dvec4& before, const glm::dvec4& after);
 
 } // namespace isomotion::render

@@ -168,8 +168,7 @@ void PassTable::draw(const gpu::Program& program, const gpu::Rectangle& tile,
 
 void PassTable::march(const gpu::Program& program, const gpu::Rectangle& tile,
                       const gpu::Target& target, const gpu::Rectangles* parts) const {
-    if (!clock_) return march_untimed(program, tile, target, parts);
-    clock_->time([&] { march_untimed(program, tile, target, parts); });
+    timed([&] { march_untimed(program, tile, target, parts); });
 }
 
 void PassTable::march_untimed(const gpu::Program& program, const gpu::Rectangle& tile,

@@ -93,6 +93,11 @@ public:
 
     // Later passes of rays take their time by this clock, which must outlive them.
     void time_rays_by(RayClock& clock) { clock_ = &clock; }
+    // Draws of beams and rays, which take the clock's time if there is one.
+    template<typename Draws> void timed(const Draws& draws) const {
+        if (clock_) return clock_->time(draws);
+        draws();
+    }
 
 private:
     void place(const gpu::Program& program, const gpu::Rectangle& tile, int width,

@@ -21,8 +21,8 @@ constexpr Roundings of_one_ray{1.04, 1.01};
 
 } // namespace
 
-ProofRays proof_rays(const scene::Scene& scene, const scene::SceneAt& now, int width, int height,
-                     const scene::Aim& aim) {
+ProofRays proof_rays(const scene::OneSurface& one, const scene::OneSurfaceAt& now, int width,
+                     int height, const scene::Aim& aim) {
     const scene::Rays rays = scene::rays(now, width, height, aim);
     const double footprint = 2 * glm::length(rays.up) / height;
     ProofRays found;
@@ -43,7 +43,7 @@ ProofRays proof_rays(const scene::Scene& scene, const scene::SceneAt& now, int w
     found.of_floats = thickness(of_two_rays);
     found.of_doubles = thickness(of_one_ray);
 
-    found.frame = frame_block(scene, now, width, height, aim);
+    found.frame = frame_block(one, now, width, height, aim);
     const auto more = float(margin);
     if (now.surface.bounds.shape == scene::Bounds::Shape::sphere) {
         found.frame.bounds_min.w += more;

@@ -20,7 +20,7 @@ struct ProofRays {
     float beyond = 0;
 };
 
-ProofRays proof_rays(const scene::Scene& scene, const scene::SceneAt& now, int width, int height,
-                     const scene::Aim& aim);
+ProofRays proof_rays(const scene::OneSurface& one, const scene::OneSurfaceAt& now, int width,
+                     int height, const scene::Aim& aim);
 
 } // namespace isomotion::render

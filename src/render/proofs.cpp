@@ -26,10 +26,9 @@ std::vector<int> elements_of_piece(const synthesis::Passes& passes) {
     return counts;
 }
 
-formula::Cost cost_of_piece(const synthesis::Passes& passes, const scene::Scene& scene,
+formula::Cost cost_of_piece(const synthesis::Passes& passes, const scene::OneSurface& one,
                             ProofBounds bounds) {
-    return synthesis::cost_of_piece(*scene.surface.field, passes, bounds,
-                                    elements_of_piece(passes));
+    return synthesis::cost_of_piece(*one.surface.field, passes, bounds, elements_of_piece(passes));
 }
 
 bool fits_a_shader(const formula::Cost& piece) {
@@ -93,17 +92,17 @@ void set_thickness(const gpu::Program& program, const RayThickness& thickness) {
 
 } // namespace
 
-Proofs::Proofs(const synthesis::Passes& passes, const scene::Scene& scene, const MarchPlan& plan,
+Proofs::Proofs(const synthesis::Passes& passes, const scene::OneSurface& one, const MarchPlan& plan,
                bool in_doubles)
     : passes_(passes)
-    , scene_(scene)
+    , drawn_(one)
     , may_take_doubles_(in_doubles)
     , block_pieces_(std::min(
           most_pieces_of_block,
-          pieces_of_draw(synthesis::cost_of_block_piece(*scene.surface.field, passes,
-                                                        elements_of_piece(passes)),
-                         double(blocks_across(plan.tile_width)) * blocks_across(plan.tile_height))))
-    , natural_{Role::proof, cost_that_fits(cost_of_piece(passes, scene, ProofBounds::natural))}
+          pieces_of_draw(
+              synthesis::cost_of_block_piece(*one.surface.field, passes, elements_of_piece(passes)),
+              double(blocks_across(plan.tile_width)) * blocks_across(plan.tile_height))))
+    , natural_{Role::proof, cost_that_fits(cost_of_piece(passes, one, ProofBounds::natural))}
     , of_coarse_blocks_(blocks_across(plan.tile_width, synthesis::coarse_proved_block),
                         blocks_across(plan.tile_height, synthesis::coarse_proved_block))
     , of_blocks_(blocks_across(plan.tile_width), blocks_across(plan.tile_height))
@@ -177,7 +176,7 @@ const std::optional<Proofs::Pieces>& Proofs::closer_pieces(const PassTable& tabl
         const bool in_doubles = may_take_doubles_ && table.has(Role::double_proof) &&
                                 can_trust_doubles(table.spare_unit());
         const auto bounds = in_doubles ? ProofBounds::in_doubles : ProofBounds::by_gradient;
-        const formula::Cost piece = cost_of_piece(passes_, scene_, bounds);
+        const formula::Cost piece = cost_of_piece(passes_, drawn_, bounds);
         closer_.emplace();
         if (fits_a_shader(piece)) {
             *closer_ = Pieces{in_doubles ? Role::double_proof : Role::sharp_proof, piece};

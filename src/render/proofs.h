@@ -35,7 +35,7 @@ public:
     // Passes and scene must outlive it. `in_doubles`: undecided rays may be tried again in doubles,
     // if the driver's can be trusted. Throws std::length_error if the formula sums too many terms
     // for a shader.
-    Proofs(const synthesis::Passes& passes, const scene::Scene& scene, const MarchPlan& plan,
+    Proofs(const synthesis::Passes& passes, const scene::OneSurface& one, const MarchPlan& plan,
            bool in_doubles);
 
     // Proves the rays of a tile whose picture is drawn. `endings`: shaders/proof/ending.glsl.
@@ -65,7 +65,7 @@ private:
                     std::vector<std::uint32_t> open, OpenRays& rays, const gpu::Rectangle& tile);
 
     const synthesis::Passes& passes_;
-    const scene::Scene& scene_;
+    scene::OneSurface drawn_;
     bool may_take_doubles_;
     int block_pieces_; // limit on pieces
     Pieces natural_;

@@ -13,16 +13,15 @@
 #include "render/fused_pass.h"
 #include "render/fused_surfaces.h"
 #include "render/layers.h"
+#include "render/picture_proofs.h"
 #include "render/pictures_in_flight.h"
 #include "render/planes.h"
-#include "render/proofs_of_surfaces.h"
 #include "render/ray_clock.h"
 #include "render/read_back.h"
-#include "render/secondary_rays.h"
 #include "render/several_surfaces.h"
+#include "render/single_surface.h"
 #include "render/surface_passes.h"
 #include "render/velocity_pass.h"
-#include "scene/nth_surface.h"
 #include "scene/surfaces.h"
 #include "synthesis/effect_text.h"
 
@@ -54,8 +53,9 @@ struct Renderer::Parts {
     Parts(gpu::Context& made_in, const scene::Scene& drawn, RenderOptions wanted)
         : context(made_in)
         , options(std::move(wanted))
-        , surfaces(surfaces_of(drawn))
-        , passes_print(fingerprint_of_passes(drawn))
+        , scene(drawn)
+        , surfaces(surfaces_of_scene())
+        , passes_print(fingerprint_of_passes())
         , record(plan.march.target_width() * plan.march.target_height(),
                  passes.has(Role::surface) && !passes.has(Role::fused))
         , planes(options.width, options.height)
@@ -65,14 +65,12 @@ struct Renderer::Parts {
         , result(plan.march.target_width(), plan.march.target_height(),
                  formats(passes, record, draws_over_each_other())) {
         if (draws_over_each_other()) {
-            fused_surfaces.emplace(all_surfaces(), result, formats(passes, record, true));
-        } else if (surfaces.size() > 1) {
-            several.emplace(all_surfaces());
+            one_draw = std::make_unique<FusedSurfaces>(all_surfaces(), result,
+                                                       formats(passes, record, true));
+        } else if (passes.has(Role::fused)) {
+            one_draw = std::make_unique<FusedPass>(first, result, reads_at_once());
         } else {
-            if (passes.has(Role::fused)) fused.emplace(passes, result);
-            one_draw = fused.has_value();
-            if (!one_draw) eye_rays.emplace(passes, plan.march);
-            if (passes.has(Role::surface)) secondary.emplace(passes, scene, plan.march);
+            begin_passes();
         }
         if (scene.environment) load_environment();
         if (options.times_rays) {
@@ -80,12 +78,8 @@ struct Renderer::Parts {
             for (SurfacePasses* surface : all_surfaces()) surface->table.time_rays_by(*clock);
         }
         if (passes.has(Role::motion)) moved.emplace(plan.march);
-        if (passes.has(Role::proof) && surfaces.size() > 1) {
-            proofs_of_surfaces.emplace(all_surfaces(),
-                                       options.proofs_in_doubles && context.info().has(4, 0));
-        } else if (passes.has(Role::proof)) {
-            proofs.emplace(passes, scene, plan.march,
-                           options.proofs_in_doubles && context.info().has(4, 0));
+        if (passes.has(Role::proof)) {
+            proofs.emplace(all_surfaces(), options.proofs_in_doubles && context.info().has(4, 0));
         }
     }
 
@@ -102,7 +96,7 @@ struct Renderer::Parts {
         base::Fingerprint print;
         image::EnvironmentSink sink;
         std::optional<image::EnvironmentReduction> reduction;
-        if (synthesis::mirrors_environment(scene)) reduction.emplace(image::widest_reduction);
+        if (synthesis::mirrors_environment(first.drawn)) reduction.emplace(image::widest_reduction);
         sink.begin = [&](int width, int height) {
             environment.emplace(gpu::Format::rgba32f, width, height);
             if (reduction) reduction->begin(width, height);
@@ -131,40 +125,37 @@ struct Renderer::Parts {
     PictureInputs prepare(const scene::SceneAt& now, const scene::Aim& aim, const Motion* motion,
                           std::vector<SharedField>& fields) {
         const auto begin = std::chrono::steady_clock::now();
-        if (scene::surface_count(now) != surfaces.size())
+        if (now.surfaces.size() != surfaces.size())
             throw std::logic_error("a time of a scene with other surfaces");
         fields.resize(surfaces.size());
         const int width = options.width, height = options.height;
-        PictureInputs inputs = own.prepare(now, aim, motion, width, height, fields[0]);
-        for (std::size_t k = 1; k < surfaces.size(); ++k) {
-            std::optional<Motion> its;
-            if (motion)
-                its = {scene::nth_surface(motion->before, k), scene::nth_surface(motion->after, k),
-                       motion->seconds};
-            inputs.others.push_back(surfaces[k]->prepare(
-                scene::nth_surface(now, k), aim, its ? &*its : nullptr, width, height, fields[k]));
+        PictureInputs inputs;
+        inputs.width = width;
+        inputs.height = height;
+        inputs.aim = aim;
+        for (std::size_t k = 0; k < surfaces.size(); ++k) {
+            inputs.surfaces.push_back(
+                surfaces[k]->prepare(now, aim, motion, width, height, fields[k]));
+            if (surfaces.size() == 1) continue;
+            for (auto& uniform : uniforms_among(surfaces[k]->drawn, now, width, height, aim))
+                inputs.surfaces.back().effects.push_back(std::move(uniform));
         }
-        for (std::size_t k = 0; surfaces.size() > 1 && k < surfaces.size(); ++k) {
-            synthesis::Uniforms& effects = scene::nth_surface(inputs, k).effects;
-            const scene::Among& among = surfaces[k]->scene.among;
-            for (auto& uniform : uniforms_among(now, among, width, height, aim))
-                effects.push_back(std::move(uniform));
-        }
-        if (proofs_of_surfaces) see_others(inputs, now, aim);
+        if (motion) inputs.moving = {now, *motion};
+        if (proofs && surfaces.size() > 1) see_others(inputs, now, aim);
         inputs.preparing = std::chrono::steady_clock::now() - begin;
         return inputs;
     }
 
-    std::vector<std::unique_ptr<SurfacePasses>> surfaces_of(const scene::Scene& drawn) {
+    std::vector<std::unique_ptr<SurfacePasses>> surfaces_of_scene() {
         std::vector<std::unique_ptr<SurfacePasses>> all;
-        for (PlannedSurface& planned : plan_surfaces(drawn, options, context.info())) {
+        for (PlannedSurface& planned : plan_surfaces(scene, options, context.info())) {
             all.push_back(std::make_unique<SurfacePasses>(
                 std::move(planned), options, context.info(), [this] { stop_if_asked(); }));
         }
         return all;
     }
 
-    std::string fingerprint_of_passes(const scene::Scene& drawn) const {
+    std::string fingerprint_of_passes() const {
         std::string prints;
         if (!options.tells_endings) {
             for (const auto& surface : surfaces) prints += surface->passes.fingerprint();
@@ -172,7 +163,7 @@ struct Renderer::Parts {
         }
         RenderOptions plain = options;
         plain.tells_endings = false;
-        for (const PlannedSurface& planned : plan_surfaces(drawn, plain, context.info()))
+        for (const PlannedSurface& planned : plan_surfaces(scene, plain, context.info()))
             prints += planned.passes.fingerprint();
         return prints;
     }
@@ -188,15 +179,26 @@ struct Renderer::Parts {
 
     // ----- one picture
 
+    void begin_passes() {
+        if (surfaces.size() == 1) {
+            in_passes = std::make_unique<SingleSurface>(first);
+        } else {
+            in_passes = std::make_unique<SeveralSurfaces>(all_surfaces());
+        }
+    }
+
     void draw_in_passes() {
         if (!one_draw) return;
-        one_draw = false;
+        one_draw.reset();
         compiles = true;
-        eye_rays.emplace(passes, plan.march);
+        begin_passes();
     }
 
     void choose_draws(const PictureInputs& inputs) {
-        if (inputs.field->grid && are_lists_long(*inputs.field->grid, plan)) draw_in_passes();
+        for (std::size_t k = 0; k < surfaces.size(); ++k) {
+            const auto& grid = inputs.surfaces[k].field->grid;
+            if (grid && are_lists_long(*grid, surfaces[k]->plan)) draw_in_passes();
+        }
     }
 
     void upload(const PictureInputs& inputs) {
@@ -204,7 +206,7 @@ struct Renderer::Parts {
         const glm::ivec2 corner = plan.march.corner_of(options.width, options.height);
         for (const auto& surface : surfaces) surface->table.begin_tiles_at(corner);
         for (std::size_t k = 0; k < surfaces.size(); ++k)
-            surfaces[k]->upload(scene::nth_surface(inputs, k), options.width, options.height);
+            surfaces[k]->upload(inputs.surfaces[k], options.width, options.height);
         if (environment) table.bind("environment_map", *environment);
         if (environment_levels) table.bind("environment_levels", *environment_levels);
     }
@@ -228,8 +230,7 @@ struct Renderer::Parts {
                 stop_if_asked();
                 const gpu::Rectangle tile{x, y, std::min(across, options.width - x),
                                           std::min(up, options.height - y)};
-                if (surfaces.size() == 1) timed([&] { own.draw_beams(inputs, tile); });
-                const gpu::Target* rays = draw_tile(inputs, tile, picture);
+                draw_tile(inputs, tile, picture);
                 fill_counts(tile, picture.frame);
                 if (const auto at = endings_in(inputs)) {
                     const gpu::Rectangle area = table.in_targets(tile);
@@ -237,12 +238,8 @@ struct Renderer::Parts {
                                  result.read(*at, area.x, area.y, area.width, area.height).data(),
                                  picture);
                 }
-                if (proofs || proofs_of_surfaces) prove_tile(inputs, tile, picture);
-                if (moved && inputs.motion && several) {
-                    draw_velocities(inputs, tile, picture.frame);
-                } else if (moved && inputs.motion) {
-                    write_velocity(velocity_of(own, inputs, *rays, tile), tile, picture.frame);
-                }
+                if (proofs) prove_tile(inputs, tile, picture);
+                if (moved && inputs.moving) draw_velocities(inputs, tile, picture.frame);
                 read_attachments(tile, picture.frame);
                 done += double(tile.width) * tile.height / pixels;
             }
@@ -268,60 +265,23 @@ struct Renderer::Parts {
         flights.give_back(std::move(pixels));
     }
 
-    template<typename Draws> void timed(const Draws& draws) {
-        if (clock) return clock->time(draws);
-        draws();
-    }
-
     void stop_if_asked() const {
         if (options.progress) options.progress(done);
         if (options.stop && options.stop()) throw Stopped();
     }
 
-    // Draws a tile of a plain scene, whose beams were drawn.
-    void draw_fused(const PictureInputs& inputs, const gpu::Rectangle& tile) {
-        const bool is_box = scene.surface.bounds.shape == scene::Bounds::Shape::box;
-        const bool by_beams = own.beams && passes.beams.back().block == Blocks::side;
-        fused->draw(table, tile, plan, inputs.background(),
-                    by_beams ? own.beams->blocks(table.in_targets(tile), reads_at_once())
-                             : blocks_in_bounds(inputs.eye.frame, is_box, tile));
-    }
-
-    // Draws a tile into `result` and counts its rays. Returns these, or null if they were not kept.
-    const gpu::Target* draw_tile(const PictureInputs& inputs, const gpu::Rectangle& tile,
-                                 Picture& picture) {
-        if (fused_surfaces) {
-            timed([&] { fused_surfaces->draw(inputs, tile, picture.passes); });
-            record.read(result, 1, table.in_targets(tile));
-            if (take_ended(tile, picture)) return nullptr;
-            // Some ray takes longer than a draw may.
-            fused_surfaces.reset();
-            several.emplace(all_surfaces());
-            picture.compiled = true;
-        }
-        if (several) {
-            several->draw(inputs, tile, result, environment ? &*environment : nullptr,
-                          picture.passes);
-            record.read(result, 1, table.in_targets(tile));
-            add(record.tally(), tile, options.height, picture);
-            return nullptr;
-        }
+    // Draws a tile into `result` and counts its rays.
+    void draw_tile(const PictureInputs& inputs, const gpu::Rectangle& tile, Picture& picture) {
         if (one_draw) {
-            timed([&] { draw_fused(inputs, tile); });
-            ++picture.passes;
+            one_draw->draw(inputs, tile, picture.passes);
             record.read(result, 1, table.in_targets(tile));
-            if (take_ended(tile, picture)) return nullptr;
-            // Some ray takes longer than a draw may.
-            draw_in_passes();
+            if (take_ended(tile, picture)) return;
+            draw_in_passes(); // some ray takes longer than a draw may
         }
-        const gpu::Target& rays =
-            own.marcher.march(table, Role::march, tile, *eye_rays, result, picture.passes);
-        if (secondary) secondary->trace(table, own.marcher, tile, result, picture.passes);
-        table.bind_numbered("state_texture", rays);
-        table.draw(table.program(Role::shade), tile, result);
+        in_passes->draw(inputs, tile, result, environment ? &*environment : nullptr,
+                        picture.passes);
         record.read(result, 1, table.in_targets(tile));
         add(record.tally(), tile, options.height, picture);
-        return &rays;
     }
 
     // Adds the record that was read last to the picture's, if all rays of its tile ended.
@@ -363,59 +323,50 @@ struct Renderer::Parts {
     // Proves the rays of a tile; counts and, where wanted, keeps the outcomes.
     void prove_tile(const PictureInputs& inputs, const gpu::Rectangle& tile, Picture& picture) {
         const bool keeps = layers.wants(Channel::proof);
-        const auto size = std::size_t(tile.width) * std::size_t(tile.height) * 4;
-        proved.resize(keeps || proofs_of_surfaces ? size : 0);
-        const ProofCounts counts =
-            proofs_of_surfaces
-                ? proofs_of_surfaces->prove(inputs, result, tile, proved)
-                : proofs->prove(table, *inputs.proofs,
-                                result.texture(*passes.attachment(Channel::ending)), tile, proved);
+        const ProofCounts counts = proofs->prove(inputs, result, tile, keeps);
         for (std::size_t k = 0; k < counts.size(); ++k) picture.proofs[k] += counts[k];
         if (keeps) {
-            planes.copy(proved.data(), tile, 0, tile.height,
+            planes.copy(proofs->record().data(), tile, 0, tile.height,
                         Layers::of(picture.frame, Channel::proof));
         }
     }
 
     // The velocity of one surface in a tile whose rays and record are there.
-    std::vector<glm::dvec3> velocity_of(SurfacePasses& surface, const PictureInputs& of_surface,
+    std::vector<glm::dvec3> velocity_of(SurfacePasses& surface, const PictureInputs& inputs,
                                         const gpu::Target& rays, const gpu::Rectangle& tile) {
-        const MotionInputs& motion = *of_surface.motion;
+        const std::size_t k = surface.drawn.index;
+        const SurfaceInputs& own = inputs.surfaces[k];
+        const SurfaceMotion motion(inputs.moving->now, inputs.moving->about, k);
         surface.table.bind_numbered("state_texture", rays);
-        const auto field_at = [&](const FieldInputs& then, const scene::SceneAt& there) {
+        const auto field_at = [&](const FieldInputs& then, const scene::OneSurfaceAt& there) {
             surface.field->upload(surface.table, then);
             return moved->field_there(surface.table, tile, motion.now.surface.placement, there);
         };
-        const std::vector<float> before = field_at(motion.before, motion.motion.before);
-        const std::vector<float> after = field_at(motion.after, motion.motion.after);
-        surface.field->upload(surface.table, *of_surface.field);
-        return velocities(motion.motion, motion.now, options.width, options.height, tile, record,
+        const std::vector<float> before = field_at(own.motion->before, motion.before);
+        const std::vector<float> after = field_at(own.motion->after, motion.after);
+        surface.field->upload(surface.table, *own.field);
+        return velocities(motion, options.width, options.height, tile, record,
                           rays.read(0, 0, 0, tile.width, tile.height), before, after);
     }
 
-    void write_velocity(const std::vector<glm::dvec3>& found, const gpu::Rectangle& tile,
-                        image::Frame& drawn) {
+    // A pixel has the velocity of the surface that is seen there.
+    void draw_velocities(const PictureInputs& inputs, const gpu::Rectangle& tile,
+                         image::Frame& drawn) {
+        const std::vector<int> seen = in_passes->seen(tile);
+        std::vector<glm::dvec3> found(seen.size(), glm::dvec3(0));
+        for (std::size_t k = 0; k < surfaces.size(); ++k) {
+            surfaces[k]->bind();
+            const std::vector<glm::dvec3> its =
+                velocity_of(*surfaces[k], inputs, in_passes->rays(k), tile);
+            for (std::size_t at = 0; at < seen.size(); ++at) {
+                if (seen[at] == int(k)) found[at] = its[at];
+            }
+        }
         int k = 0;
         for (image::Channel* channel : Layers::of(drawn, Channel::velocity)) {
             planes.fill(tile, *channel, [&](std::size_t at) { return float(found[at][k]); });
             ++k;
         }
-    }
-
-    // Where there are several surfaces, a pixel has the velocity of the one that is seen there.
-    void draw_velocities(const PictureInputs& inputs, const gpu::Rectangle& tile,
-                         image::Frame& drawn) {
-        const std::vector<int> seen = several->seen(tile);
-        std::vector<glm::dvec3> found(seen.size(), glm::dvec3(0));
-        for (std::size_t k = 0; k < surfaces.size(); ++k) {
-            surfaces[k]->bind();
-            const std::vector<glm::dvec3> its =
-                velocity_of(*surfaces[k], scene::nth_surface(inputs, k), several->rays(k), tile);
-            for (std::size_t at = 0; at < seen.size(); ++at) {
-                if (seen[at] == int(k)) found[at] = its[at];
-            }
-        }
-        write_velocity(found, tile, drawn);
     }
 
     // ----- pictures on their way
@@ -424,7 +375,8 @@ struct Renderer::Parts {
     // of the driver's pixel buffers, and the next is drawn meanwhile. Software renderers gain
     // and lose nothing by it.
     bool overlaps() const {
-        return one_draw && !proofs && plan.march.holds(options.width, options.height);
+        return one_draw && surfaces.size() == 1 && !proofs && !clock &&
+               plan.march.holds(options.width, options.height);
     }
 
     gpu::Rectangle whole() const { return {0, 0, options.width, options.height}; }
@@ -432,8 +384,8 @@ struct Renderer::Parts {
     void launch(PictureInputs inputs) {
         upload(inputs);
         stop_if_asked();
-        own.draw_beams(inputs, whole());
-        draw_fused(inputs, whole());
+        int draws = 0;
+        one_draw->draw(inputs, whole(), draws);
         gpu::Transfer pixels = flights.transfer(bytes_of_a_tile());
         std::size_t end = 0;
         for (int k = 0; k < result.attachments(); ++k)
@@ -504,12 +456,12 @@ struct Renderer::Parts {
 
     gpu::Context& context;
     RenderOptions options;
+    scene::Scene scene;
     std::vector<std::unique_ptr<SurfacePasses>> surfaces;
-    SurfacePasses& own = *surfaces.front(); // of the first surface
-    const scene::Scene& scene = own.scene;
-    const synthesis::Passes& passes = own.passes;
-    const ScenePlan& plan = own.plan;
-    PassTable& table = own.table;
+    SurfacePasses& first = *surfaces.front(); // its target, tiles and channels are those of all
+    const synthesis::Passes& passes = first.passes;
+    const ScenePlan& plan = first.plan;
+    PassTable& table = first.table;
     const std::string passes_print; // of those that decide pixels
     Record record;                  // of the tile drawn last
     Planes planes;
@@ -517,22 +469,16 @@ struct Renderer::Parts {
     Layers layers;
     std::optional<RayClock> clock;
     gpu::Target result;
-    std::optional<FusedSurfaces> fused_surfaces; // into `result`, as long as that is enough
-    std::optional<SeveralSurfaces> several;
-    std::optional<FusedPass> fused; // into `result`
-    bool one_draw = false;          // as long as every tile's rays ended in the fused pass
-    bool compiles = false;          // the next picture, since that is over
-    std::optional<RayTargets> eye_rays;
-    std::optional<SecondaryRays> secondary;
+    std::unique_ptr<OneDraw> one_draw;   // into `result`, as long as every tile's rays end in it
+    std::unique_ptr<InPasses> in_passes; // otherwise
+    bool compiles = false;               // the next picture, since the one draw is over
     std::optional<gpu::Texture> environment;
     std::optional<gpu::Texture> environment_levels; // where something mirrors it
     std::string environment_print;                  // of its texels
     std::optional<VelocityPass> moved;
-    std::optional<Proofs> proofs; // of a single surface
-    std::optional<ProofsOfSurfaces> proofs_of_surfaces;
-    std::vector<float> proved; // of the tile proved last, if it is kept or joined
-    double done = 0;           // the part of the picture that is drawn
-    image::Frame used;         // whose memory the next picture may have
+    std::optional<PictureProofs> proofs;
+    double done = 0;   // the part of the picture that is drawn
+    image::Frame used; // whose memory the next picture may have
     PicturesInFlight flights;
 };
 
@@ -566,16 +512,15 @@ void Renderer::resize(int width, int height) {
 }
 
 void Renderer::adjust(const scene::Isolation& settings) {
-    scene::Isolation& current = parts_->own.scene.surface.isolation;
+    std::vector<scene::Surface>& surfaces = parts_->scene.surfaces;
+    const scene::Isolation current = surfaces.front().isolation;
     if (settings.method != current.method || settings.beam != current.beam ||
         settings.certify != current.certify) {
         throw std::invalid_argument("other shaders are another renderer's");
     }
-    for (std::size_t k = 1; k < parts_->surfaces.size(); ++k) {
-        scene::Isolation& other = parts_->surfaces[k]->scene.surface.isolation;
-        other = scene::changed_alike(other, current, settings);
-    }
-    current = settings;
+    for (scene::Surface& surface : surfaces)
+        surface.isolation = scene::changed_alike(surface.isolation, current, settings);
+    surfaces.front().isolation = settings;
 }
 
 bool Renderer::needs_motion() const { return parts_->moved.has_value(); }
@@ -635,7 +580,7 @@ void Renderer::start(PictureInputs inputs) {
     p.flights.guard([&] {
         p.expect_own_size(inputs);
         p.choose_draws(inputs);
-        if (p.overlaps() && !inputs.motion) {
+        if (p.overlaps() && !inputs.moving) {
             p.launch(std::move(inputs));
         } else {
             Picture picture = p.draw(inputs);

@@ -35,16 +35,16 @@ double loops_of(const formula::Program& program, const std::vector<int>& counts)
 
 using synthesis::FieldFunction;
 
-double loops_of(const scene::Scene& scene, const synthesis::Passes& passes, FieldFunction function,
-                const std::vector<int>& counts) {
-    return synthesis::cost(*scene.surface.field, passes, {function}, counts).iterations;
+double loops_of(const scene::OneSurface& one, const synthesis::Passes& passes,
+                FieldFunction function, const std::vector<int>& counts) {
+    return synthesis::cost(*one.surface.field, passes, {function}, counts).iterations;
 }
 
 // How often a pixel's shader asks for the surface's colour: a mirror weighs what it shows by it,
 // and the surface seen in it does both again.
-int colours_of_a_pixel(const scene::Scene& scene) {
+int colours_of_a_pixel(const scene::OneSurface& one) {
     using Reflection = scene::Material::Reflection;
-    switch (scene.surface.material.reflection) {
+    switch (one.surface.material.reflection) {
     case Reflection::none:
         break;
     case Reflection::sky:
@@ -56,29 +56,28 @@ int colours_of_a_pixel(const scene::Scene& scene) {
 }
 
 // What the loops of one shaded pixel add up to.
-double shade_iterations(const scene::Scene& scene, const synthesis::Passes& passes,
+double shade_iterations(const scene::OneSurface& one, const synthesis::Passes& passes,
                         const std::vector<int>& counts) {
-    const double gradient = passes.march_takes_gradient
-                                ? 0.0
-                                : loops_of(scene, passes, FieldFunction::gradient, counts);
+    const double gradient =
+        passes.march_takes_gradient ? 0.0 : loops_of(one, passes, FieldFunction::gradient, counts);
     const auto loops_of_paint = [&](const formula::Paint& paint) {
         const bool all = synthesis::sums_all_elements(paint, passes);
         return loops_of(paint.value, all ? capacities(passes) : counts);
     };
-    const int colours = colours_of_a_pixel(scene);
+    const int colours = colours_of_a_pixel(one);
     double sum = gradient;
-    if (const auto& contours = scene.surface.material.contours)
+    if (const auto& contours = one.surface.material.contours)
         sum += colours * loops_of_paint(*contours->value);
-    const formula::Paint* paint = synthesis::painting(scene);
+    const formula::Paint* paint = synthesis::painting(one);
     if (!paint) return sum;
     const double curvature = paint->hessian ? gradient + loops_of(*paint->hessian, counts) : 0.0;
     return sum + colours * (curvature + loops_of_paint(*paint));
 }
 
 // The passes that don't march must fit the loop limit, too; they know no lists.
-void expect_shadeable(const scene::Scene& scene, const synthesis::Passes& passes,
+void expect_shadeable(const scene::OneSurface& one, const synthesis::Passes& passes,
                       const std::vector<int>& counts) {
-    const double gradient = loops_of(scene, passes, FieldFunction::gradient, counts);
+    const double gradient = loops_of(one, passes, FieldFunction::gradient, counts);
     if (passes.has(synthesis::Role::surface)) {
         // Occlusion takes up to eight samples at the end of a ray (shaders/effects/end_of_ray.glsl)
         // and five of its surroundings, each in one draw.
@@ -88,7 +87,7 @@ void expect_shadeable(const scene::Scene& scene, const synthesis::Passes& passes
         // Glass looks for the side that a ray goes on from, too.
         const int samples = passes.has(synthesis::Role::glass) ? 16 : 8;
         const double end = std::max(gradient, occlusion) +
-                           samples * loops_of(scene, passes, FieldFunction::value, counts);
+                           samples * loops_of(one, passes, FieldFunction::value, counts);
         if (end > loop_iterations_per_pass) {
             throw std::length_error(
                 fmt::format("shadows, mirrors and other effects sum {:.0f} terms a pixel; a "
@@ -96,8 +95,8 @@ void expect_shadeable(const scene::Scene& scene, const synthesis::Passes& passes
                             end, loop_iterations_per_pass));
         }
     }
-    const double sums = shade_iterations(scene, passes, counts);
-    const formula::Paint* paint = synthesis::painting(scene);
+    const double sums = shade_iterations(one, passes, counts);
+    const formula::Paint* paint = synthesis::painting(one);
     if (sums > loop_iterations_per_pass && paint && synthesis::sums_all_elements(*paint, passes)) {
         throw std::length_error(
             fmt::format("the normal and the colour sum {:.0f} terms a pixel; a shader can sum "
@@ -111,99 +110,99 @@ void expect_shadeable(const scene::Scene& scene, const synthesis::Passes& passes
                         "{:.0f}: draw fewer elements or no paint",
                         sums, loop_iterations_per_pass));
     }
-    expect_drawable(synthesis::cost(*scene.surface.field, passes, {FieldFunction::gradient}, counts)
-                        .operations);
+    expect_drawable(
+        synthesis::cost(*one.surface.field, passes, {FieldFunction::gradient}, counts).operations);
 }
 
 // What an evaluation goes through where elements are found by place, beside its lists, in
 // each of the cells that a box meets.
-double turns_beside_lists(const scene::Scene& scene, const synthesis::Passes& passes,
+double turns_beside_lists(const scene::OneSurface& one, const synthesis::Passes& passes,
                           std::size_t array) {
     std::vector<int> others = capacities(passes);
     others[array] = 0;
     const bool over_boxes = std::ranges::any_of(passes.samples, synthesis::is_on_intervals);
     const double turns =
-        1 + synthesis::cost(*scene.surface.field, passes, passes.samples, others).iterations;
+        1 + synthesis::cost(*one.surface.field, passes, passes.samples, others).iterations;
     return over_boxes ? synthesis::most_cells_of_box * turns : turns;
 }
 
 // Shares the evaluations that a draw has room for among the parts that sections leave of a ray:
 // what a march may take in each, beside F where parts begin and end.
-int of_a_part(const scene::Scene& scene, int evaluations) {
-    if (scene.sections.empty()) return evaluations;
-    const int shared =
-        (evaluations - synthesis::samples_at_sections(scene)) / synthesis::parts_of_a_ray(scene);
+int of_a_part(const scene::OneSurface& one, int evaluations) {
+    if (one.scene.sections.empty()) return evaluations;
+    const int shared = (evaluations - synthesis::samples_at_sections(one.scene)) /
+                       synthesis::parts_of_a_ray(one.scene);
     if (shared >= 1) return shared;
     throw std::length_error(fmt::format(
         "a draw has room for {} evaluations of the formula at a pixel, and {} sections take {}: "
         "draw fewer elements, or fewer sections",
-        evaluations, scene.sections.size(),
-        synthesis::samples_at_sections(scene) + synthesis::parts_of_a_ray(scene)));
+        evaluations, one.scene.sections.size(),
+        synthesis::samples_at_sections(one.scene) + synthesis::parts_of_a_ray(one.scene)));
 }
 
-MarchPlan plan_of_march(const scene::Scene& scene, const synthesis::Passes& passes, int width,
+MarchPlan plan_of_march(const scene::OneSurface& one, const synthesis::Passes& passes, int width,
                         int height, int max_texture_size, const std::optional<MarchPlan>& wanted,
                         const DrawLimits& limits) {
     const std::vector<int> counts = capacities(passes);
     std::vector<int> usual = elements_by_place(passes);
     if (synthesis::has_lists(passes)) usual[0] = std::min(usual[0], usual_list);
     const auto by_place = synthesis::array_with_grid(passes);
-    formula::Cost cost = synthesis::cost(*scene.surface.field, passes, passes.samples, usual);
+    formula::Cost cost = synthesis::cost(*one.surface.field, passes, passes.samples, usual);
     // Where F may seem to touch 0, bounds run tapes for a third of a draw's loops.
     const bool judges_touches =
         passes.tapes &&
         passes.samples == std::vector{FieldFunction::directional, FieldFunction::value_interval};
     if (judges_touches) cost.iterations *= 1.5;
-    expect_shadeable(scene, passes, by_place ? usual : counts);
-    cost.iterations = std::max(cost.iterations, shade_iterations(scene, passes, usual));
+    expect_shadeable(one, passes, by_place ? usual : counts);
+    cost.iterations = std::max(cost.iterations, shade_iterations(one, passes, usual));
     const MarchPlan fitting =
         plan_march(cost, width, height, std::min(largest_tile, max_texture_size), limits);
     MarchPlan chosen = wanted.value_or(fitting);
     double most = loop_iterations_per_pass;
     // One draw marches and shades.
     const double with_shade =
-        (loop_iterations_per_pass - shade_iterations(scene, passes, by_place ? usual : counts)) /
+        (loop_iterations_per_pass - shade_iterations(one, passes, by_place ? usual : counts)) /
         (1 + cost.iterations);
     if (passes.has(synthesis::Role::fused) && with_shade >= 1) most = with_shade;
     if (by_place) {
         const double fitting_others = part_of_others * loop_iterations_per_pass /
-                                      turns_beside_lists(scene, passes, std::size_t(*by_place));
+                                      turns_beside_lists(one, passes, std::size_t(*by_place));
         most = std::min(most, std::max(fitting_others, 1.0));
     }
     for (int* evaluations : {&chosen.evaluations_per_pass, &chosen.most_evaluations_per_pass}) {
-        if (*evaluations > 0) *evaluations = of_a_part(scene, std::min(*evaluations, int(most)));
+        if (*evaluations > 0) *evaluations = of_a_part(one, std::min(*evaluations, int(most)));
     }
     return chosen;
 }
 
-int without_lists(const scene::Scene& scene, const synthesis::Passes& passes, int planned) {
+int without_lists(const scene::OneSurface& one, const synthesis::Passes& passes, int planned) {
     const formula::Cost all =
-        synthesis::cost(*scene.surface.field, passes, passes.samples, capacities(passes));
+        synthesis::cost(*one.surface.field, passes, passes.samples, capacities(passes));
     const int fitting = int(loop_iterations_per_pass / (1 + all.iterations));
-    return std::clamp(of_a_part(scene, fitting), 1, planned);
+    return std::clamp(of_a_part(one, fitting), 1, planned);
 }
 
 // Elements of an array found by place: as many as the loops that shade a pixel can take.
-std::uint32_t most_at_a_place(const scene::Scene& scene, const synthesis::Passes& passes) {
+std::uint32_t most_at_a_place(const scene::OneSurface& one, const synthesis::Passes& passes) {
     constexpr double most = 50'000;
     const auto array = synthesis::array_with_grid(passes);
     if (!array) return std::uint32_t(most);
     std::vector<int> counts = capacities(passes);
     counts[std::size_t(*array)] = 0;
-    const double others = shade_iterations(scene, passes, counts);
+    const double others = shade_iterations(one, passes, counts);
     counts[std::size_t(*array)] = 1;
-    const double each = shade_iterations(scene, passes, counts) - others;
+    const double each = shade_iterations(one, passes, counts) - others;
     return std::uint32_t(
         std::clamp((loop_iterations_per_pass - others) / std::max(each, 1.0), 1.0, most));
 }
 
 // Where only lists tell how many elements an evaluation takes.
-float budget_of_elements(const scene::Scene& scene, const synthesis::Passes& passes) {
+float budget_of_elements(const scene::OneSurface& one, const synthesis::Passes& passes) {
     const auto once = std::vector<int>(passes.arrays.size(), 1);
-    const double loops = std::max(
-        1.0, synthesis::cost(*scene.surface.field, passes, passes.samples, once).iterations);
+    const double loops =
+        std::max(1.0, synthesis::cost(*one.surface.field, passes, passes.samples, once).iterations);
     return float((1 - part_of_others) * loop_iterations_per_pass / loops /
-                 synthesis::parts_of_a_ray(scene));
+                 synthesis::parts_of_a_ray(one.scene));
 }
 
 } // namespace
@@ -223,17 +222,17 @@ bool are_lists_long(const elements::ElementGrid& grid, const ScenePlan& plan) {
     return hard_ray * grid.usual_count() > part_of_lists * plan.element_budget;
 }
 
-ScenePlan plan_scene(const scene::Scene& scene, const synthesis::Passes& passes, int width,
+ScenePlan plan_scene(const scene::OneSurface& one, const synthesis::Passes& passes, int width,
                      int height, int max_texture_size, const std::optional<MarchPlan>& wanted,
                      const DrawLimits& limits) {
     ScenePlan plan;
-    plan.march = plan_of_march(scene, passes, width, height, max_texture_size, wanted, limits);
+    plan.march = plan_of_march(one, passes, width, height, max_texture_size, wanted, limits);
     const auto [usual, most] =
         std::pair(plan.march.evaluations_per_pass, plan.march.most_evaluations_per_pass);
-    plan.evaluations_without_lists = without_lists(scene, passes, usual);
-    plan.most_evaluations_without_lists = without_lists(scene, passes, std::max(usual, most));
-    plan.most_elements_at_a_place = most_at_a_place(scene, passes);
-    plan.element_budget = budget_of_elements(scene, passes);
+    plan.evaluations_without_lists = without_lists(one, passes, usual);
+    plan.most_evaluations_without_lists = without_lists(one, passes, std::max(usual, most));
+    plan.most_elements_at_a_place = most_at_a_place(one, passes);
+    plan.element_budget = budget_of_elements(one, passes);
     return plan;
 }
 

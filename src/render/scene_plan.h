@@ -29,7 +29,7 @@ bool are_lists_long(const elements::ElementGrid& grid, const ScenePlan& plan);
 
 // `wanted` replaces the march plan made from the formula's cost. Throws std::length_error for a sum
 // too long for a shader, and for a formula that no draw can evaluate.
-ScenePlan plan_scene(const scene::Scene& scene, const synthesis::Passes& passes, int width,
+ScenePlan plan_scene(const scene::OneSurface& one, const synthesis::Passes& passes, int width,
                      int height, int max_texture_size, const std::optional<MarchPlan>& wanted,
                      const DrawLimits& limits = {});
 

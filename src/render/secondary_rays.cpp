@@ -9,7 +9,7 @@ constexpr int attachments = 3; // of what is kept of an end, see shaders/effects
 
 } // namespace
 
-SecondaryRays::SecondaryRays(const synthesis::Passes& passes, const scene::Scene& scene,
+SecondaryRays::SecondaryRays(const synthesis::Passes& passes, const scene::OneSurface& one,
                              const MarchPlan& tile)
     : ends_(tile.target_width(), tile.target_height(), attachments) {
     if (passes.has(Role::shadow)) shadow_.emplace(passes, tile);
@@ -19,7 +19,7 @@ SecondaryRays::SecondaryRays(const synthesis::Passes& passes, const scene::Scene
                          std::nullopt};
         if (shadow_) mirror_->shadows.emplace(passes, tile);
     }
-    if (passes.has(Role::glass)) glass_.emplace(passes, tile, scene.surface.material.glass->depth);
+    if (passes.has(Role::glass)) glass_.emplace(passes, tile, one.surface.material.glass->depth);
     if (passes.has(Role::glass_ground)) shadow_through_glass_.emplace(passes, tile);
 }
 

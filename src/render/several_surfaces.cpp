@@ -1,7 +1,6 @@
 #include "render/several_surfaces.h"
 
 #include "render/motion.h"
-#include "scene/nth_surface.h"
 #include "synthesis/paths_text.h"
 
 namespace isomotion::render {
@@ -24,37 +23,35 @@ double depth_of(const scene::Rays& rays) {
 
 } // namespace
 
-synthesis::Uniforms uniforms_among(const scene::SceneAt& now, const scene::Among& among, int width,
-                                   int height, const scene::Aim& aim) {
-    const int index = among.index;
-    const scene::SceneAt& own = scene::nth_surface(now, std::size_t(index));
+synthesis::Uniforms uniforms_among(const scene::OneSurface& one, const scene::SceneAt& now,
+                                   int width, int height, const scene::Aim& aim) {
+    const scene::OneSurfaceAt own(now, one.index), first(now, 0);
+    const scene::PlacementAt& place = own.surface.placement;
     // Differences in double: the planes may be near each other and far from the eye.
     const double own_depth = depth_of(scene::rays(own, width, height, aim));
-    const double first_depth = depth_of(scene::rays(now, width, height, aim));
-    const double unit = own.surface.placement.scale / now.surface.placement.scale;
+    const double first_depth = depth_of(scene::rays(first, width, height, aim));
+    const double unit = place.scale / first.surface.placement.scale;
     const glm::dvec4 way(unit, (unit * own_depth - first_depth) / own_depth, 0, 0);
 
     std::vector<glm::vec4> moves;
-    for (int k = 0; k < int(scene::surface_count(now)); ++k) {
+    for (std::size_t k = 0; k < now.surfaces.size(); ++k) {
         // A place on this surface stays to the bit.
-        const auto rows =
-            k == index
-                ? std::array{glm::vec4(1, 0, 0, 0), glm::vec4(0, 1, 0, 0), glm::vec4(0, 0, 1, 0)}
-                : change_of_place(scene::nth_surface(now, std::size_t(k)).surface.placement,
-                                  own.surface.placement);
+        const auto rows = k == one.index ? std::array{glm::vec4(1, 0, 0, 0), glm::vec4(0, 1, 0, 0),
+                                                      glm::vec4(0, 0, 1, 0)}
+                                         : change_of_place(now.surfaces[k].placement, place);
         moves.insert(moves.end(), rows.begin(), rows.end());
     }
     synthesis::Uniforms uniforms{{"surface_way", glm::vec4(way)}, {"surface_moves", moves}};
-    if (among.matters.empty()) return uniforms;
+    if (!synthesis::follows_paths(one.scene)) return uniforms;
     uniforms.push_back({"path_moves", std::move(moves)});
-    uniforms.push_back({"matters", matters_at(now, among, own.surface.placement.scale)});
+    uniforms.push_back({"matters", matters_at(one.scene, now, place.scale)});
     return uniforms;
 }
 
 SeveralSurfaces::SeveralSurfaces(std::vector<SurfacePasses*> all)
     : all_(std::move(all))
     , rays_(all_.size())
-    , ends_(all_.front()->plan.march, textures_of_ends(all_.front()->scene)) {
+    , ends_(all_.front()->plan.march, textures_of_ends(all_.front()->drawn.scene)) {
     const MarchPlan& tile = all_.front()->plan.march;
     for (const SurfacePasses* one : all_) {
         eye_.emplace_back(one->passes, tile);
@@ -87,7 +84,7 @@ void SeveralSurfaces::find_ends(const PictureInputs& inputs, const gpu::Rectangl
     for (std::size_t k = 0; k < all_.size(); ++k) {
         SurfacePasses& one = *all_[k];
         one.bind();
-        one.draw_beams(scene::nth_surface(inputs, k), tile);
+        one.draw_beams(inputs.surfaces[k], tile);
         one.table.bind_numbered("surface_texture", ends_.last());
         rays_[k] = &one.marcher.march(one.table, Role::march, tile, eye_[k], result, draws);
         one.table.draw(one.table.program(Role::surface), tile, ends_.next());

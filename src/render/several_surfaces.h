@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "gpu/target.h"
+#include "render/drawing_route.h"
 #include "render/light_paths.h"
 #include "render/ray_marcher.h"
 #include "render/surface_passes.h"
@@ -15,23 +16,18 @@
 namespace isomotion::render {
 
 // Uniforms of one surface among several, which relate its rays and places to those of the others.
-// `now` is the first surface's; `among` is the surface's own.
-synthesis::Uniforms uniforms_among(const scene::SceneAt& now, const scene::Among& among, int width,
-                                   int height, const scene::Aim& aim);
+synthesis::Uniforms uniforms_among(const scene::OneSurface& one, const scene::SceneAt& now,
+                                   int width, int height, const scene::Aim& aim);
 
-class SeveralSurfaces {
+class SeveralSurfaces : public InPasses {
 public:
     // `all` must outlive this object; the first surface comes first.
     explicit SeveralSurfaces(std::vector<SurfacePasses*> all);
 
-    // Draws a tile, whose inputs are uploaded, into `result`. Adds its march draws to `draws`.
     void draw(const PictureInputs& inputs, const gpu::Rectangle& tile, const gpu::Target& result,
-              const gpu::Texture* environment, int& draws);
-
-    // Where the eye's rays ended on one surface, and the index of the surface that is seen at each
-    // pixel of the tile drawn last, row by row from the lower left.
-    const gpu::Target& rays(std::size_t surface) const { return *rays_[surface]; }
-    std::vector<int> seen(const gpu::Rectangle& tile) const;
+              const gpu::Texture* environment, int& draws) override;
+    const gpu::Target& rays(std::size_t surface) const override { return *rays_[surface]; }
+    std::vector<int> seen(const gpu::Rectangle& tile) const override;
 
 private:
     void find_ends(const PictureInputs& inputs, const gpu::Rectangle& tile,

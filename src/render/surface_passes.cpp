@@ -5,8 +5,6 @@
 #include <utility>
 
 #include "render/arithmetic_speed.h"
-#include "scene/nth_surface.h"
-#include "scene/surfaces.h"
 #include "synthesis/inlined_size.h"
 #include "synthesis/surfaces_text.h"
 #include "synthesis/tape_text.h"
@@ -29,11 +27,11 @@ const synthesis::Passes& checked(const synthesis::Passes& passes, const gpu::Con
 
 // What is written must not depend on the number of threads. How far proofs get depends on a tile's
 // size, and so do lists that are too long for theirs.
-DrawLimits limits_of_a_draw(const gpu::ContextInfo& info, const scene::Scene& scene,
+DrawLimits limits_of_a_draw(const gpu::ContextInfo& info, const scene::OneSurface& one,
                             const synthesis::Passes& passes) {
     constexpr int most_in_any_list = 500;
     const bool keeps_tiles =
-        scene.surface.isolation.certify ||
+        one.surface.isolation.certify ||
         (synthesis::has_lists(passes) && passes.arrays[0].capacity > most_in_any_list);
     return {.operations = operations_per_draw_at(arithmetic_speed(info).in(passes.stage)),
             .threads = keeps_tiles ? 1 : std::max(1, info.threads)};
@@ -41,10 +39,10 @@ DrawLimits limits_of_a_draw(const gpu::ContextInfo& info, const scene::Scene& sc
 
 // Whether all that is drawn of a tile follows the table's corner(), and pixels are the same there.
 // Lists of elements are made for blocks of up to 64 pixels, which would be others.
-bool spreads_small_pictures(const gpu::ContextInfo& info, const scene::Scene& scene,
+bool spreads_small_pictures(const gpu::ContextInfo& info, const scene::OneSurface& one,
                             const synthesis::Passes& passes) {
     return info.software && info.max_texture_size >= side_for_small_pictures &&
-           passes.stage == synthesis::Stage::fragment && !scene.surface.isolation.certify &&
+           passes.stage == synthesis::Stage::fragment && !one.surface.isolation.certify &&
            !passes.has(synthesis::Role::motion) &&
            std::ranges::all_of(passes.beams, [](const synthesis::BeamLevel& level) {
                return level.block == Blocks::side;
@@ -56,10 +54,10 @@ constexpr int largest_tile_of_several = 512;
 
 } // namespace
 
-PlannedSurface::PlannedSurface(scene::Scene surface, const RenderOptions& options,
+PlannedSurface::PlannedSurface(const scene::OneSurface& one, const RenderOptions& options,
                                const gpu::ContextInfo& info)
-    : scene(std::move(surface))
-    , passes(synthesis::assemble(scene, options.channels,
+    : drawn(one)
+    , passes(synthesis::assemble(one, options.channels,
                                  {.stage = choose_stage(options.stage, info),
                                   .branches = options.branches.value_or(!info.software),
                                   .writes_buffers = info.has(4, 3),
@@ -68,40 +66,39 @@ PlannedSurface::PlannedSurface(scene::Scene surface, const RenderOptions& option
                                   .pixels = options.pixels > 0
                                                 ? options.pixels
                                                 : std::int64_t(options.width) * options.height}))
-    , plan(plan_scene(scene, checked(passes, info), options.width, options.height,
-                      info.max_texture_size, options.plan, limits_of_a_draw(info, scene, passes))) {
+    , plan(plan_scene(one, checked(passes, info), options.width, options.height,
+                      info.max_texture_size, options.plan, limits_of_a_draw(info, one, passes))) {
     // Whether one draw may end a ray, by the usual budget: the passes, and so the fingerprint, are
     // not to depend on how fast this machine is today.
-    const ScenePlan usual = plan_scene(scene, passes, options.width, options.height,
-                                       info.max_texture_size, options.plan);
+    const ScenePlan usual =
+        plan_scene(one, passes, options.width, options.height, info.max_texture_size, options.plan);
     if (usual.march.evaluations_per_pass <= 1)
         passes = synthesis::without_fused_pass(std::move(passes));
-    plan.march.spreads_small_pictures =
-        !options.plan && spreads_small_pictures(info, scene, passes);
+    plan.march.spreads_small_pictures = !options.plan && spreads_small_pictures(info, one, passes);
 }
 
 std::vector<PlannedSurface> plan_surfaces(const scene::Scene& scene, const RenderOptions& options,
                                           const gpu::ContextInfo& info) {
     std::vector<PlannedSurface> all;
-    all.reserve(scene::surface_count(scene));
-    for (int k = 0; k < int(scene::surface_count(scene)); ++k)
-        all.emplace_back(scene::of_surface(scene, k), options, info);
+    all.reserve(scene.surfaces.size());
+    for (std::size_t k = 0; k < scene.surfaces.size(); ++k)
+        all.emplace_back(scene::OneSurface(scene, k), options, info);
     if (all.size() == 1) return all;
     std::vector<synthesis::Passes*> passes;
     passes.reserve(all.size());
-    for (PlannedSurface& one : all) passes.push_back(&one.passes);
+    for (PlannedSurface& each : all) passes.push_back(&each.passes);
     synthesis::agree_on_draws(passes);
     int width = largest_tile_of_several, height = largest_tile_of_several;
-    for (const PlannedSurface& one : all) {
-        width = std::min(width, one.plan.march.tile_width);
-        height = std::min(height, one.plan.march.tile_height);
+    for (const PlannedSurface& each : all) {
+        width = std::min(width, each.plan.march.tile_width);
+        height = std::min(height, each.plan.march.tile_height);
     }
     const bool all_spread = std::ranges::all_of(
-        all, [](const PlannedSurface& one) { return one.plan.march.spreads_small_pictures; });
-    for (PlannedSurface& one : all) {
-        one.plan.march.tile_width = width;
-        one.plan.march.tile_height = height;
-        one.plan.march.spreads_small_pictures = all_spread;
+        all, [](const PlannedSurface& each) { return each.plan.march.spreads_small_pictures; });
+    for (PlannedSurface& each : all) {
+        each.plan.march.tile_width = width;
+        each.plan.march.tile_height = height;
+        each.plan.march.spreads_small_pictures = all_spread;
     }
     return all;
 }
@@ -110,24 +107,24 @@ SurfacePasses::SurfacePasses(PlannedSurface planned, const RenderOptions& option
                              const gpu::ContextInfo& info, std::function<void()> stop_if_asked)
     : planned_(std::move(planned))
     , table(passes)
-    , marcher(passes, scene, plan, std::move(stop_if_asked))
+    , marcher(passes, drawn.scene, plan, std::move(stop_if_asked))
     , frame_(sizeof(FrameBlock))
-    , shading_((7 + 2 * scene.lights.size()) * sizeof(glm::vec4))
+    , shading_((7 + 2 * drawn.scene.lights.size()) * sizeof(glm::vec4))
     , threads_(options.threads)
     , most_listed_(std::size_t(info.max_texture_buffer_size)) {
     const int texels = texels_for_lists(info);
     const int elements = passes.arrays.empty() ? 0 : passes.arrays[0].capacity;
-    if (!passes.beams.empty()) beams.emplace(passes, scene, plan.march, texels, elements);
+    if (!passes.beams.empty()) beams.emplace(passes, drawn, plan.march, texels, elements);
     int listed = beams ? beams->listed() : 0;
     if (passes.light_beams != 0) {
-        light_beams.emplace(passes, scene, light_pixels(options.width, options.height), texels,
+        light_beams.emplace(passes, drawn, light_pixels(options.width, options.height), texels,
                             elements + listed);
         listed += light_beams->listed();
     }
     field.emplace(passes, listed);
     if (passes.tapes) tapes_are_run_ = passes.tapes->are_run(passes);
     if (const auto array = synthesis::array_with_grid(passes))
-        grid_maker_ = elements::GridMaker::of(*scene.surface.field, *array);
+        grid_maker_ = elements::GridMaker::of(*drawn.surface.field, *array);
 }
 
 InputLayout SurfacePasses::layout(int width, int height) const {
@@ -147,14 +144,14 @@ InputLayout SurfacePasses::layout(int width, int height) const {
     return all;
 }
 
-PictureInputs SurfacePasses::prepare(const scene::SceneAt& now, const scene::Aim& aim,
+SurfaceInputs SurfacePasses::prepare(const scene::SceneAt& now, const scene::Aim& aim,
                                      const Motion* motion, int width, int height,
                                      SharedField& field_of_frame) {
-    return picture_inputs(scene, now, aim, motion, layout(width, height), element_radius_,
-                          field_of_frame);
+    return surface_inputs(drawn, {now, drawn.index}, aim, motion, layout(width, height),
+                          element_radius_, field_of_frame);
 }
 
-void SurfacePasses::upload(const PictureInputs& inputs, int width, int height) {
+void SurfacePasses::upload(const SurfaceInputs& inputs, int width, int height) {
     frame_.update(std::as_bytes(std::span(&inputs.eye.frame, 1)));
     table.bind("Frame", frame_);
     shading_.update(std::as_bytes(std::span(inputs.shading)));
@@ -174,12 +171,14 @@ void SurfacePasses::bind() {
     if (light_beams) light_beams->bind(table);
 }
 
-void SurfacePasses::draw_beams(const PictureInputs& inputs, const gpu::Rectangle& tile) {
+void SurfacePasses::draw_beams(const SurfaceInputs& inputs, const gpu::Rectangle& tile) {
     if (!beams) return;
     if (keeps_beams) return beams->bind(table, "beam");
     const glm::ivec2 corner = table.corner();
-    beams->draw(table, inputs.eye.beams, {corner.x, corner.y, tile.width, tile.height},
-                glm::ivec2(tile.x, tile.y) - corner, field->listed());
+    table.timed([&] {
+        beams->draw(table, inputs.eye.beams, {corner.x, corner.y, tile.width, tile.height},
+                    glm::ivec2(tile.x, tile.y) - corner, field->listed());
+    });
 }
 
 } // namespace isomotion::render

@@ -19,15 +19,15 @@ namespace isomotion::render {
 
 // A surface's passes with the plan that divides pictures into draws.
 struct PlannedSurface {
-    PlannedSurface(scene::Scene surface, const RenderOptions& options,
+    PlannedSurface(const scene::OneSurface& one, const RenderOptions& options,
                    const gpu::ContextInfo& info);
 
-    scene::Scene scene;
+    scene::OneSurface drawn;
     synthesis::Passes passes;
     ScenePlan plan;
 };
 
-// Plans all surfaces of a scene, in the file's order, with tiles of one size.
+// Plans all surfaces of a scene, which must outlive the plans, with tiles of one size.
 std::vector<PlannedSurface> plan_surfaces(const scene::Scene& scene, const RenderOptions& options,
                                           const gpu::ContextInfo& info);
 
@@ -37,20 +37,20 @@ public:
                   const gpu::ContextInfo& info, std::function<void()> stop_if_asked);
 
     InputLayout layout(int width, int height) const;
-    PictureInputs prepare(const scene::SceneAt& now, const scene::Aim& aim, const Motion* motion,
+    SurfaceInputs prepare(const scene::SceneAt& now, const scene::Aim& aim, const Motion* motion,
                           int width, int height, SharedField& field_of_frame);
 
     // Uploads and binds a picture's inputs.
-    void upload(const PictureInputs& inputs, int width, int height);
+    void upload(const SurfaceInputs& inputs, int width, int height);
     // Binds them again, since passes of another surface bind their own to the same places.
     void bind();
-    void draw_beams(const PictureInputs& inputs, const gpu::Rectangle& tile);
+    void draw_beams(const SurfaceInputs& inputs, const gpu::Rectangle& tile);
 
 private:
     PlannedSurface planned_;
 
 public:
-    scene::Scene& scene = planned_.scene;
+    const scene::OneSurface& drawn = planned_.drawn;
     const synthesis::Passes& passes = planned_.passes;
     const ScenePlan& plan = planned_.plan;
     PassTable table;

@@ -20,10 +20,10 @@ float not_below(double x) {
 
 } // namespace
 
-FrameBlock frame_block(const scene::Scene& scene, const scene::SceneAt& now, int width, int height,
-                       const scene::Aim& aim, double element_radius) {
+FrameBlock frame_block(const scene::OneSurface& one, const scene::OneSurfaceAt& now, int width,
+                       int height, const scene::Aim& aim, double element_radius) {
     const scene::Rays rays = scene::rays(now, width, height, aim);
-    const scene::Isolation& isolation = scene.surface.isolation;
+    const scene::Isolation& isolation = one.surface.isolation;
     const bool box = now.surface.bounds.shape == scene::Bounds::Shape::box;
     // The bounds are closed: a root that lies on their very face is one, however its ray is
     // rounded. What is beyond by less than rounding is nobody's to tell.
@@ -38,7 +38,7 @@ FrameBlock frame_block(const scene::Scene& scene, const scene::SceneAt& now, int
                            : wide(now.surface.bounds.centre, now.surface.bounds.radius + face);
     block.bounds_max = wide(now.surface.bounds.max + face);
     block.picture = glm::vec4(2.0 / width, 2.0 / height, 0, 0);
-    const double scale = scene.surface.field->scale; // of values
+    const double scale = one.surface.field->scale; // of values
     block.thresholds = glm::dvec4(isolation.step, scale * isolation.near, scale * isolation.far,
                                   scale * isolation.horizon);
     const double eighth = 0.125 * now.surface.bounds.radius;
@@ -61,7 +61,7 @@ FrameBlock frame_block(const scene::Scene& scene, const scene::SceneAt& now, int
     return block;
 }
 
-glm::vec4 beam_range(const scene::SceneAt& now, int width, int height, const scene::Aim& aim,
+glm::vec4 beam_range(const scene::OneSurfaceAt& now, int width, int height, const scene::Aim& aim,
                      int block) {
     // tau is the depth behind the plane of the anchors, which no aim turns or moves.
     const scene::Rays rays = scene::rays(now, width, height, aim);
@@ -81,20 +81,20 @@ glm::vec4 beam_range(const scene::SceneAt& now, int width, int height, const sce
                       beam_roundings * rounding);
 }
 
-std::vector<glm::vec4> shading_block(const scene::Scene& scene, const scene::SceneAt& now,
+std::vector<glm::vec4> shading_block(const scene::OneSurface& one, const scene::OneSurfaceAt& now,
                                      int width, int height) {
     const scene::PlacementAt& place = now.surface.placement;
-    const auto& background = scene.output.background;
+    const auto& background = one.scene.output.background;
     std::vector<glm::vec4> block;
     block.push_back(wide(now.surface.color));
     block.emplace_back(background[0], background[1], background[2],
-                       scene.output.transparent ? 0.0 : 1.0);
+                       one.scene.output.transparent ? 0.0 : 1.0);
     const glm::dmat3 to_local = glm::transpose(place.rotate);
-    for (const auto& light : now.lights) {
+    for (const auto& light : now.scene.lights) {
         block.push_back(light.is_point ? wide(place.to_local(light.direction), 1)
                                        : wide(to_local * light.direction));
     }
-    for (const auto& light : now.lights) {
+    for (const auto& light : now.scene.lights) {
         block.push_back(wide(light.color, light.falloff / place.scale));
     }
     const glm::dmat3 axes = place.scale * place.rotate;
@@ -106,14 +106,14 @@ std::vector<glm::vec4> shading_block(const scene::Scene& scene, const scene::Sce
     return block;
 }
 
-std::vector<std::byte> parameter_block(const synthesis::Passes& passes, const scene::SceneAt& now,
+std::vector<std::byte> parameter_block(const synthesis::Passes& passes, const scene::SurfaceAt& now,
                                        const elements::ElementGrid* grid) {
     const std::size_t vectors = std::size_t(passes.parameter_vectors);
     std::vector<std::byte> block(std::size_t(passes.vectors()) * 16);
-    const auto values = std::as_bytes(std::span(now.surface.bindings.parameters));
+    const auto values = std::as_bytes(std::span(now.bindings.parameters));
     std::copy(values.begin(), values.end(), block.begin());
     for (std::size_t a = 0; a < passes.arrays.size(); ++a) {
-        const std::int32_t count = now.surface.bindings.arrays[a].count;
+        const std::int32_t count = now.bindings.arrays[a].count;
         std::memcpy(block.data() + vectors * 16 + a * 4, &count, 4);
     }
     if (grid) {
@@ -129,10 +129,10 @@ std::vector<std::byte> parameter_block(const synthesis::Passes& passes, const sc
     return block;
 }
 
-std::vector<glm::vec4> array_texels(const scene::Scene& scene, const synthesis::Passes& passes,
-                                    const scene::SceneAt& now, std::size_t index) {
-    const auto& fields = scene.surface.field->packing[index];
-    const auto& columns = now.surface.bindings.arrays[index];
+std::vector<glm::vec4> array_texels(const formula::Field& field, const synthesis::Passes& passes,
+                                    const scene::SurfaceAt& now, std::size_t index) {
+    const auto& fields = field.packing[index];
+    const auto& columns = now.bindings.arrays[index];
     const auto per_element = std::size_t(passes.arrays[index].texels);
     std::vector<glm::vec4> texels(std::size_t(columns.count) * per_element);
     for (std::size_t slot = 0; slot < fields.size(); ++slot) {

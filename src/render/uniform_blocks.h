@@ -22,8 +22,8 @@ struct FrameBlock {
 };
 
 // `element_radius`: see element_radius.h; cubics (the method hermite) step at most half of it.
-FrameBlock frame_block(const scene::Scene& scene, const scene::SceneAt& now, int width, int height,
-                       const scene::Aim& aim = {},
+FrameBlock frame_block(const scene::OneSurface& one, const scene::OneSurfaceAt& now, int width,
+                       int height, const scene::Aim& aim = {},
                        double element_radius = std::numeric_limits<double>::infinity());
 
 // The multiple of a ray's rounding (scene/ray_rounding.h) by which its beam is thickened: one for
@@ -34,23 +34,23 @@ inline constexpr double beam_roundings = 4;
 
 // Uniform `beam` of shaders/march/beam_by_intervals.glsl: the range of tau in which the bounds may
 // be, the shortest piece, and `beam_roundings` times the rounding. `block`: pixels across a beam.
-glm::vec4 beam_range(const scene::SceneAt& now, int width, int height, const scene::Aim& aim,
+glm::vec4 beam_range(const scene::OneSurfaceAt& now, int width, int height, const scene::Aim& aim,
                      int block);
 
 // Block Shading of shaders/shade/shading.glsl; its length depends on the number of lights.
-std::vector<glm::vec4> shading_block(const scene::Scene& scene, const scene::SceneAt& now,
+std::vector<glm::vec4> shading_block(const scene::OneSurface& one, const scene::OneSurfaceAt& now,
                                      int width, int height);
 
 // Generated block Parameters: parameter values, the arrays' counts, the grid if there is one, and
 // room for the tapes.
-std::vector<std::byte> parameter_block(const synthesis::Passes& passes, const scene::SceneAt& now,
+std::vector<std::byte> parameter_block(const synthesis::Passes& passes, const scene::SurfaceAt& now,
                                        const elements::ElementGrid* grid);
 // Fills that room.
 void describe_tapes(const synthesis::Passes& passes, const formula::TapeCells& tapes,
                     std::vector<std::byte>& block);
 
 // The elements of array `index`, packed as the field reads them.
-std::vector<glm::vec4> array_texels(const scene::Scene& scene, const synthesis::Passes& passes,
-                                    const scene::SceneAt& now, std::size_t index);
+std::vector<glm::vec4> array_texels(const formula::Field& field, const synthesis::Passes& passes,
+                                    const scene::SurfaceAt& now, std::size_t index);
 
 } // namespace isomotion::render

@@ -23,7 +23,8 @@ public:
     // these ends, `to` those of the other time. On caps the gradient and the value are their
     // section's.
     std::vector<float> field_there(PassTable& table, const gpu::Rectangle& tile,
-                                   const scene::PlacementAt& from, const scene::SceneAt& to) const;
+                                   const scene::PlacementAt& from,
+                                   const scene::OneSurfaceAt& to) const;
 
 private:
     gpu::Target field_;
@@ -32,8 +33,8 @@ private:
 // The velocity at each pixel of a tile, 0 without a hit; see velocity() of motion.h. `record` is
 // the tile's. `rays`, `before` and `after` have four floats per pixel: t comes first in `rays`; the
 // others are VelocityPass's results for both times of the motion.
-std::vector<glm::dvec3> velocities(const Motion& motion, const scene::SceneAt& now, int width,
-                                   int height, const gpu::Rectangle& tile, const Record& record,
+std::vector<glm::dvec3> velocities(const SurfaceMotion& motion, int width, int height,
+                                   const gpu::Rectangle& tile, const Record& record,
                                    std::span<const float> rays, std::span<const float> before,
                                    std::span<const float> after);
 

@@ -15,24 +15,24 @@ constexpr int most_even = 9, most_of_arrays = 3, most_sampled = 1000;
 constexpr int most_extreme = 8;              // parameters of which extremes are looked for
 constexpr double operations_of_frames = 3e6; // of tracks and arrays, at all frames
 
-std::set<int> even_frames(const Scene& scene, int count) {
+std::set<int> even_frames(const OneSurface& one, int count) {
     std::set<int> frames;
     for (int k = 0; k < count; ++k)
-        frames.insert(1 +
-                      int(std::int64_t(scene.timeline.frames - 1) * k / std::max(1, count - 1)));
+        frames.insert(
+            1 + int(std::int64_t(one.scene.timeline.frames - 1) * k / std::max(1, count - 1)));
     return frames;
 }
 
 // The frames at which a parameter is least or largest.
-std::set<int> extreme_frames(const Scene& scene, const std::set<int>& among) {
+std::set<int> extreme_frames(const OneSurface& one, const std::set<int>& among) {
     struct Extreme {
         double value;
         int frame;
     };
-    const int count = std::min(scene.surface.parameters, most_extreme);
+    const int count = std::min(one.surface.parameters, most_extreme);
     std::vector<Extreme> least, largest;
     for (const int frame : among) {
-        const animation::Values values = scene.surface.animation.at(scene.timeline.time(frame));
+        const animation::Values values = one.surface.animation.at(one.scene.timeline.time(frame));
         for (int k = 0; k < count; ++k) {
             const Extreme now{values.tracks[std::size_t(k)], frame};
             if (int(least.size()) == k) {
@@ -49,40 +49,39 @@ std::set<int> extreme_frames(const Scene& scene, const std::set<int>& among) {
     return frames;
 }
 
-std::set<int> telling_frames(const Scene& scene) {
-    const animation::Animation& moves = scene.surface.animation;
+std::set<int> telling_frames(const OneSurface& one) {
+    const animation::Animation& moves = one.surface.animation;
     double operations = moves.operations() + 1;
     for (std::size_t a = 0; a < moves.arrays().size(); ++a) operations += moves.operations(a);
     const auto affordable = [&](int most) {
         return std::clamp(int(std::min(operations_of_frames / operations, double(most))), 1,
-                          scene.timeline.frames);
+                          one.scene.timeline.frames);
     };
     const bool is_plain = moves.arrays().empty();
-    std::set<int> frames = even_frames(scene, affordable(is_plain ? most_even : most_of_arrays));
-    if (is_plain) frames.merge(extreme_frames(scene, even_frames(scene, affordable(most_sampled))));
+    std::set<int> frames = even_frames(one, affordable(is_plain ? most_even : most_of_arrays));
+    if (is_plain) frames.merge(extreme_frames(one, even_frames(one, affordable(most_sampled))));
     return frames;
 }
 
-formula::Moment moment_of(const SceneAt& now) {
-    const glm::dvec3 &low = now.surface.bounds.min, &high = now.surface.bounds.max;
-    return {formula::convert<double>(now.surface.bindings),
+formula::Moment moment_of(const SurfaceAt& now) {
+    const glm::dvec3 &low = now.bounds.min, &high = now.bounds.max;
+    return {formula::convert<double>(now.bindings),
             {formula::Interval{low.x, high.x}, {low.y, high.y}, {low.z, high.z}}};
 }
 
 } // namespace
 
-formula::CubicSteps cubic_steps(const Scene& scene, const SceneAt& first) {
+formula::CubicSteps cubic_steps(const OneSurface& one, const SurfaceAt& first) {
     std::vector<formula::Moment> moments{moment_of(first)};
-    for (const int frame : telling_frames(scene)) {
+    for (const int frame : telling_frames(one)) {
         if (frame == 1) continue;
         try {
-            moments.push_back(moment_of(at_frame(scene, frame)));
+            moments.push_back(moment_of(surface_at(one, one.scene.timeline.time(frame))));
         } catch (const SceneError&) { // said where the frame is drawn
         }
     }
-    return formula::cubic_steps(*scene.surface.field, scene.surface.smoothness, moments,
-                                0.125 * first.surface.bounds.radius,
-                                scene.surface.isolation.safety);
+    return formula::cubic_steps(*one.surface.field, one.surface.smoothness, moments,
+                                0.125 * first.bounds.radius, one.surface.isolation.safety);
 }
 
 } // namespace isomotion::scene

@@ -8,6 +8,6 @@ namespace isomotion::scene {
 
 // Looks at frames evenly apart, and where no array moves, at those at which a parameter of the
 // formula is least and largest. Its smoothness must be known; `first` is the first frame.
-formula::CubicSteps cubic_steps(const Scene& scene, const SceneAt& first);
+formula::CubicSteps cubic_steps(const OneSurface& one, const SurfaceAt& first);
 
 } // namespace isomotion::scene

@@ -25,25 +25,25 @@ double mean_of_cells(const elements::ElementGrid& grid) {
 
 } // namespace
 
-std::optional<double> elements_at_a_place(const Scene& scene) {
-    const std::vector<int> counts = scene.surface.animation.counts();
+std::optional<double> elements_at_a_place(const OneSurface& one) {
+    const std::vector<int> counts = one.surface.animation.counts();
     if (counts.empty()) return std::nullopt;
     const auto longest = std::ranges::max_element(counts);
     if (*longest < fewest || *longest > most) return std::nullopt;
-    const auto maker = elements::GridMaker::of(*scene.surface.field, int(longest - counts.begin()));
+    const auto maker = elements::GridMaker::of(*one.surface.field, int(longest - counts.begin()));
     if (!maker) return std::nullopt;
     double work = 0; // of the arrays' fields at a frame
-    for (std::size_t a = 0; a < counts.size(); ++a) work += scene.surface.animation.operations(a);
-    const int frames = work > dear_frames ? 1 : std::min(scene.timeline.frames, frames_looked_at);
+    for (std::size_t a = 0; a < counts.size(); ++a) work += one.surface.animation.operations(a);
+    const int frames =
+        work > dear_frames ? 1 : std::min(one.scene.timeline.frames, frames_looked_at);
     double sum = 0;
     int looked_at = 0;
     for (int k = 0; k < frames; ++k) {
         const int frame =
-            1 + int(std::int64_t(scene.timeline.frames - 1) * k / std::max(1, frames - 1));
+            1 + int(std::int64_t(one.scene.timeline.frames - 1) * k / std::max(1, frames - 1));
         try {
-            const SceneAt now = at_frame(scene, frame);
-            sum += mean_of_cells(
-                maker->make(now.surface.bindings, region_of_elements(now.surface.bounds), {}));
+            const SurfaceAt now = surface_at(one, one.scene.timeline.time(frame));
+            sum += mean_of_cells(maker->make(now.bindings, region_of_elements(now.bounds), {}));
             ++looked_at;
         } catch (const SceneError&) { // said where the frame is drawn
         }

@@ -10,6 +10,6 @@ namespace isomotion::scene {
 // The mean over some frames, and over the cells of a grid of elements that are not empty, for the
 // array with the most elements. None if that has few elements or very many, or if its sums' terms
 // are no kernels of a distance.
-std::optional<double> elements_at_a_place(const Scene& scene);
+std::optional<double> elements_at_a_place(const OneSurface& one);
 
 } // namespace isomotion::scene

@@ -9,15 +9,16 @@ namespace isomotion::scene {
 std::vector<std::filesystem::path> files_read(const Scene& scene) {
     std::vector<std::filesystem::path> files;
     if (scene.formula.empty()) files.push_back(scene.file);
-    if (!scene.surface.name.empty()) files.push_back(surface_file(scene.surface.name));
-    if (!scene.look.name.empty()) files.push_back(look_file(scene.look.name));
-    if (scene.environment) files.push_back(scene.environment->map);
-    for (const animation::Array& array : scene.surface.animation.arrays()) {
-        if (!array.samples) continue;
-        for (auto& file : array.samples->source().files()) files.push_back(std::move(file));
+    for (const Surface& surface : scene.surfaces) {
+        if (!surface.name.empty()) files.push_back(surface_file(surface.name));
+        if (!surface.look.name.empty()) files.push_back(look_file(surface.look.name));
     }
-    for (const Scene& other : scene.others) {
-        for (auto& file : files_read(other)) files.push_back(std::move(file));
+    if (scene.environment) files.push_back(scene.environment->map);
+    for (const Surface& surface : scene.surfaces) {
+        for (const animation::Array& array : surface.animation.arrays()) {
+            if (!array.samples) continue;
+            for (auto& file : array.samples->source().files()) files.push_back(std::move(file));
+        }
     }
     std::vector<std::filesystem::path> once; // surfaces may share them
     for (auto& file : files) {

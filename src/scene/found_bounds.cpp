@@ -9,7 +9,6 @@
 #include "formula/enclosure.h"
 #include "formula/interval/interval_operations.h"
 #include "scene/error.h"
-#include "scene/nth_surface.h"
 #include "scene/scene_at.h"
 
 namespace isomotion::scene {
@@ -54,11 +53,11 @@ void cover(Values& all, const Values& more) {
 constexpr int parts_of_frame = 4;
 
 // What names stand for at all frames, neighbours together; none if that takes long.
-std::optional<std::vector<Values>> values_of_frames(const Scene& scene) {
-    const animation::Animation& animation = scene.surface.animation;
+std::optional<std::vector<Values>> values_of_frames(const OneSurface& one) {
+    const animation::Animation& animation = one.surface.animation;
     double each = 100;
     for (std::size_t a = 0; a < animation.arrays().size(); ++a) each += animation.operations(a);
-    const int frames = scene.timeline.frames;
+    const int frames = one.scene.timeline.frames;
     if (each * frames > most_of_frames) return std::nullopt;
     const int parts = each * frames * parts_of_frame > most_of_frames ? 1 : parts_of_frame;
     const int moments = (frames - 1) * parts + 1, together = (moments + groups - 1) / groups;
@@ -67,8 +66,8 @@ std::optional<std::vector<Values>> values_of_frames(const Scene& scene) {
         Values now;
         try {
             const double part = double(moment % parts) / parts;
-            now = formula::convert<Interval>(
-                at_frame(scene, 1 + moment / parts, part).surface.bindings);
+            const double time = one.scene.timeline.time(1 + moment / parts, part);
+            now = formula::convert<Interval>(surface_at(one, time).bindings);
         } catch (const SceneError&) { // said where the frame is drawn
             continue;
         }
@@ -187,14 +186,13 @@ double rounded_up(double radius) {
 } // namespace
 
 bool are_bounds_found(const Scene& scene) {
-    bool any = false;
-    for_each_surface(scene, [&](const Scene& one) { any |= one.surface.found_bounds.has_value(); });
-    return any;
+    return std::ranges::any_of(scene.surfaces,
+                               [](const Surface& each) { return each.found_bounds.has_value(); });
 }
 
-std::optional<FoundBounds> find_bounds(const Scene& scene) {
-    const formula::Program& program = formula::value_enclosure(*scene.surface.field);
-    const auto values = values_of_frames(scene);
+std::optional<FoundBounds> find_bounds(const OneSurface& one) {
+    const formula::Program& program = formula::value_enclosure(*one.surface.field);
+    const auto values = values_of_frames(one);
     if (!values) return std::nullopt;
     std::vector<Box> all;
     for (const Values& some : *values) {

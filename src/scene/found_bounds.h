@@ -21,9 +21,9 @@ struct FoundBounds {
     bool is_about_surface = false;
 };
 
-// Bounds of a scene; its own bounds are ignored. None if the search would take long, because of
+// Bounds of a surface; its own bounds are ignored. None if the search would take long, because of
 // many elements or frames.
-std::optional<FoundBounds> find_bounds(const Scene& scene);
+std::optional<FoundBounds> find_bounds(const OneSurface& one);
 
 // Whether bounds of some surface of the scene were looked for, since no file gives them.
 bool are_bounds_found(const Scene& scene);

@@ -1,7 +1,5 @@
 #include "scene/light_points.h"
 
-#include "scene/nth_surface.h"
-
 #include <algorithm>
 #include <cmath>
 
@@ -22,9 +20,10 @@ bool is_lit_by_discs(const SceneAt& now) {
 
 SceneAt lit_from(SceneAt now, const glm::dvec2& disc) {
     if (disc == glm::dvec2(0)) return now;
+    const SurfaceAt& first = now.surfaces.front();
+    const glm::dvec3 middle = first.placement.to_world(first.bounds.centre);
     for (LightAt& light : now.lights) {
         if (light.radius == 0) continue;
-        const glm::dvec3 middle = now.surface.placement.to_world(now.surface.bounds.centre);
         const glm::dvec3 way = light.is_point ? light.direction - middle : light.direction;
         const double length = glm::length(way);
         if (length == 0) continue; // in the middle of the bounds it faces nothing
@@ -32,7 +31,6 @@ SceneAt lit_from(SceneAt now, const glm::dvec2& disc) {
         light.direction += light.radius * (disc.x * a + disc.y * b);
         if (!light.is_point) light.direction = glm::normalize(light.direction);
     }
-    for_each_surface(now, [&](SceneAt& surface) { surface.lights = now.lights; });
     return now;
 }
 

@@ -15,26 +15,25 @@ constexpr int fewest_to_find = 200; // elements, so that finding them pays
 
 } // namespace
 
-ElementFinder::ElementFinder(const Scene& scene) {
-    const auto& arrays = scene.surface.animation.arrays();
+ElementFinder::ElementFinder(const OneSurface& one) {
+    const auto& arrays = one.surface.animation.arrays();
     if (arrays.empty()) return;
     const auto most = std::ranges::max_element(arrays, {}, &animation::Array::count);
     if (most->count < fewest_to_find) return;
-    maker_ = elements::GridMaker::of(*scene.surface.field, int(most - arrays.begin()));
+    maker_ = elements::GridMaker::of(*one.surface.field, int(most - arrays.begin()));
 }
 
 std::optional<int> ElementFinder::array() const {
     return maker_ ? std::optional(maker_->array()) : std::nullopt;
 }
 
-NearElements::NearElements(const ElementFinder& finder, const SceneAt& now)
-    : all_(formula::convert<double>(now.surface.bindings)) {
+NearElements::NearElements(const ElementFinder& finder, const SurfaceAt& now)
+    : all_(formula::convert<double>(now.bindings)) {
     if (!finder.maker_) return;
     array_ = std::size_t(finder.maker_->array());
     elements::GridLimits limits;
     limits.threads = std::max(1, int(std::thread::hardware_concurrency())); // decides nothing
-    grid_ = finder.maker_->make(now.surface.bindings,
-                                {now.surface.bounds.min, now.surface.bounds.max}, limits);
+    grid_ = finder.maker_->make(now.bindings, {now.bounds.min, now.bounds.max}, limits);
     near_ = all_;
 }
 

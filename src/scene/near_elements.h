@@ -16,7 +16,7 @@ elements::Region region_of_elements(const BoundsAt& bounds);
 // Finds the array whose elements are worth finding by place, once for all times.
 class ElementFinder {
 public:
-    explicit ElementFinder(const Scene& scene);
+    explicit ElementFinder(const OneSurface& one);
 
     std::optional<int> array() const;
 
@@ -29,7 +29,7 @@ private:
 class NearElements {
 public:
     // Throws std::length_error where too many elements matter at one place.
-    NearElements(const ElementFinder& finder, const SceneAt& now);
+    NearElements(const ElementFinder& finder, const SurfaceAt& now);
 
     // Valid until the next call. Returns all() if no array is found by place.
     const formula::Bindings<double>& at(const glm::dvec3& p);

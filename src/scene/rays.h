@@ -24,7 +24,7 @@ struct Rays {
     bool parallel = false; // of an orthographic camera
 };
 
-Rays rays(const SceneAt& scene, int width, int height);
+Rays rays(const OneSurfaceAt& one, int width, int height);
 
 // The choice of a pixel's ray: through its centre and from the eye, unless moved.
 struct Aim {
@@ -36,6 +36,6 @@ struct Aim {
 // lens, rays lead to the same points of the plane in focus: space is sheared about that plane. The
 // lens of an orthographic camera is telecentric: a pixel's rays are a cone with its tip in the
 // plane in focus, as wide at the eye's plane as the aperture.
-Rays rays(const SceneAt& scene, int width, int height, const Aim& aim);
+Rays rays(const OneSurfaceAt& one, int width, int height, const Aim& aim);
 
 } // namespace isomotion::scene

@@ -13,9 +13,9 @@ constexpr int most_frames = 17;
 // Operations of the arrays' fields, and as many as those of the formula at a point are counted as.
 constexpr double dear_frame = 3e6, dear_point = 1000;
 
-Region region_of(const SceneAt& now) {
-    const glm::dvec3 &low = now.surface.bounds.min, &high = now.surface.bounds.max;
-    return {formula::convert<Interval>(now.surface.bindings),
+Region region_of(const SurfaceAt& now) {
+    const glm::dvec3 &low = now.bounds.min, &high = now.bounds.max;
+    return {formula::convert<Interval>(now.bindings),
             {Interval{low.x, high.x}, Interval{low.y, high.y}, Interval{low.z, high.z}}};
 }
 
@@ -29,26 +29,26 @@ void cover(Region& region, const Region& other) {
     for (std::size_t k = 0; k < mine.size(); ++k) cover(mine[k], theirs[k]);
 }
 
-int frames_to_look_at(const Scene& scene, const SceneAt& first) {
+int frames_to_look_at(const OneSurface& one, const SurfaceAt& first) {
     double operations = 0;
-    for (std::size_t a = 0; a < scene.surface.animation.arrays().size(); ++a)
-        operations += scene.surface.animation.operations(a);
-    const std::vector<int> counts = first.surface.bindings.counts();
-    operations += dear_point * formula::cost(scene.surface.field->value, counts).operations;
+    for (std::size_t a = 0; a < one.surface.animation.arrays().size(); ++a)
+        operations += one.surface.animation.operations(a);
+    const std::vector<int> counts = first.bindings.counts();
+    operations += dear_point * formula::cost(one.surface.field->value, counts).operations;
     const double most = dear_frame / (operations + 1);
-    return std::clamp(int(std::min(most, double(most_frames))), 1, scene.timeline.frames);
+    return std::clamp(int(std::min(most, double(most_frames))), 1, one.scene.timeline.frames);
 }
 
 } // namespace
 
-std::vector<Region> regions(const Scene& scene, const SceneAt& first) {
+std::vector<Region> regions(const OneSurface& one, const SurfaceAt& first) {
     std::vector<Region> at_frames{region_of(first)};
-    const int count = frames_to_look_at(scene, first);
+    const int count = frames_to_look_at(one, first);
     for (int k = 1; k < count; ++k) {
         const int frame =
-            1 + int(std::int64_t(scene.timeline.frames - 1) * k / std::max(1, count - 1));
+            1 + int(std::int64_t(one.scene.timeline.frames - 1) * k / std::max(1, count - 1));
         try {
-            at_frames.push_back(region_of(at_frame(scene, frame)));
+            at_frames.push_back(region_of(surface_at(one, one.scene.timeline.time(frame))));
         } catch (const SceneError&) { // said where the frame is drawn
         }
     }

@@ -12,6 +12,6 @@ namespace isomotion::scene {
 // One region for each pair of neighbouring frames among some frames: the hull of their parameters,
 // with the elements of the first. It ignores other values between the two frames, and frames at
 // which values have left their range.
-std::vector<formula::Region> regions(const Scene& scene, const SceneAt& first);
+std::vector<formula::Region> regions(const OneSurface& one, const SurfaceAt& first);
 
 } // namespace isomotion::scene

@@ -1,7 +1,7 @@
-// A loaded scene: a surface, how everything moves, and how it is seen.
+// A loaded scene: surfaces, how everything moves, and how it is seen.
 //
-// Every number that can be animated is a track of the one animation; the structs here hold track
-// indices. scene_at.h turns a scene and a time into plain numbers.
+// Every number that can be animated is a track of a surface's animation; the structs here hold
+// track indices. scene_at.h turns a scene and a time into plain numbers.
 #pragma once
 
 #include <array>
@@ -248,7 +248,7 @@ struct Output {
 // Settings from a file of the program that apply where a scene states none of its own.
 struct NamedLook {
     std::string name;                   // empty: none
-    std::vector<std::string> keys = {}; // keys that it set: "lights", "material.model"
+    std::vector<std::string> keys = {}; // keys that it set for a surface: "material.model"
 };
 
 // One surface of a scene: a formula, where it is, what it is made of and how its roots are found.
@@ -273,16 +273,7 @@ struct Surface {
     Isolation isolation;
     Material material;
     std::shared_ptr<const ValuePlaces> value_places; // where the file states its values
-};
-
-// Which surface, of how many in one scene.
-struct Among {
-    int index = 0, count = 1;
-    int mirrors = 0; // a bit for each surface that reflects all others: see of_surface()
-    // The surfaces of glass, the one whose matter counts before all others first; and the largest
-    // of their depths.
-    std::vector<int> matters;
-    int depth = 0;
+    NamedLook look;
 };
 
 struct Scene {
@@ -290,7 +281,9 @@ struct Scene {
     std::string formula;        // set if the scene was loaded from a formula alone
     std::string title;
     animation::Timeline timeline;
-    Surface surface;
+    std::vector<Surface> surfaces; // at least one, in the file's order
+    // All that follows is of all surfaces. Its tracks are of the first surface's animation, whose
+    // parameters its expressions may name.
     Camera camera;
     std::vector<Light> lights; // at least one
     std::vector<Cut> sections;
@@ -300,11 +293,27 @@ struct Scene {
     std::optional<Occlusion> occlusion;
     std::optional<Environment> environment;
     Output output;
-    NamedLook look;
-    // A scene with several surfaces is the scene of the first, and holds the scenes of the others,
-    // each with its own animation. Shared settings are the first one's: see surfaces.h.
-    std::vector<Scene> others;
-    Among among;
+};
+
+// The index of the only one of so many surfaces; throws std::logic_error if there are others.
+std::size_t only(std::size_t surfaces);
+
+// One surface in its scene: what shaders, proofs and searches of a single surface are made from. It
+// refers to the scene, which must outlive it.
+struct OneSurface {
+    OneSurface(const Scene& its_scene, std::size_t its_index)
+        : scene(its_scene)
+        , surface(its_scene.surfaces.at(its_index))
+        , index(its_index) {}
+    // The surface of a scene that has a single one; throws std::logic_error if there are several.
+    OneSurface(const Scene& its_scene) // NOLINT(google-explicit-constructor)
+        : OneSurface(its_scene, only(its_scene.surfaces.size())) {}
+
+    bool is_alone() const { return scene.surfaces.size() == 1; }
+
+    const Scene& scene;
+    const Surface& surface;
+    std::size_t index;
 };
 
 // The argument that loads the scene again from any folder: its formula, or its file's full path.

@@ -9,8 +9,6 @@
 
 #include "scene/error.h"
 #include "scene/limits.h"
-#include "scene/nth_surface.h"
-#include "scene/shared_by_surfaces.h"
 #include "scene/value_error.h"
 
 namespace isomotion::scene {
@@ -33,33 +31,35 @@ struct Ball {
     double radius = 0;
 };
 
-Ball ball_about(const SceneAt& now) {
-    return {now.surface.placement.to_world(now.surface.bounds.centre),
-            now.surface.bounds.radius * now.surface.placement.scale};
+Ball ball_about(const SurfaceAt& surface) {
+    const PlacementAt& place = surface.placement;
+    return {place.to_world(surface.bounds.centre), surface.bounds.radius * place.scale};
 }
 
 // A ball about the bounds of all surfaces.
 Ball ball_about_all(const SceneAt& now) {
-    if (!has_several_surfaces(now)) return ball_about(now);
+    if (now.surfaces.size() == 1) return ball_about(now.surfaces.front());
     glm::dvec3 low(formula::infinity), high(-formula::infinity);
-    for_each_surface(now, [&](const SceneAt& surface) {
+    for (const SurfaceAt& surface : now.surfaces) {
         const Ball its = ball_about(surface);
         low = glm::min(low, its.centre - its.radius);
         high = glm::max(high, its.centre + its.radius);
-    });
+    }
     const glm::dvec3 centre = 0.5 * (low + high);
     double radius = 0;
-    for_each_surface(now, [&](const SceneAt& surface) {
+    for (const SurfaceAt& surface : now.surfaces) {
         const Ball its = ball_about(surface);
         radius = std::max(radius, its.radius + glm::length(its.centre - centre));
-    });
+    }
     return {centre, radius};
 }
 
 class Reader {
 public:
-    Reader(const Scene& scene, const animation::Values& values)
-        : scene_(scene)
+    // Values of the surface's animation; those of the scene's own settings are the first one's.
+    Reader(const OneSurface& one, const animation::Values& values)
+        : scene_(one.scene)
+        , surface_(one.surface)
         , values_(values) {}
 
     double number(TrackId track) const { return values_.tracks[std::size_t(track)]; }
@@ -84,21 +84,20 @@ public:
     }
     // "ring.toml:9: camera.fov", or without the line if the file states no such value.
     std::string where(const std::string& name) const {
-        const StatedAt at =
-            stated_at(scene_.surface.value_places.get(), scene_.file.string(), name);
+        const StatedAt at = stated_at(surface_.value_places.get(), scene_.file.string(), name);
         return fmt::format("{}: {}", at.position, at.key);
     }
     const std::string& name(TrackId track) const {
-        return scene_.surface.animation.tracks()[std::size_t(track)].name;
+        return surface_.animation.tracks()[std::size_t(track)].name;
     }
 
     // A NaN would end in an empty picture, or in the blame of something else.
     void check_range() const {
-        const auto& tracks = scene_.surface.animation.tracks();
+        const auto& tracks = surface_.animation.tracks();
         for (std::size_t k = 0; k < values_.tracks.size(); ++k) {
             check(values_.tracks[k], [&] { return tracks[k].name; });
         }
-        const auto& arrays = scene_.surface.animation.arrays();
+        const auto& arrays = surface_.animation.arrays();
         for (std::size_t a = 0; a < values_.arrays.size(); ++a) {
             const auto& fields = values_.arrays[a].fields;
             for (std::size_t f = 0; f < fields.size(); ++f) {
@@ -113,7 +112,7 @@ public:
     }
 
     BoundsAt bounds() const {
-        const Bounds& from = scene_.surface.bounds;
+        const Bounds& from = surface_.bounds;
         BoundsAt to;
         to.shape = from.shape;
         if (from.shape == Bounds::Shape::sphere) {
@@ -139,7 +138,7 @@ public:
     }
 
     PlacementAt placement() const {
-        const Placement& from = scene_.surface.placement;
+        const Placement& from = surface_.placement;
         PlacementAt to;
         to.translate = vector(from.translate);
         to.scale = number(from.scale);
@@ -243,7 +242,7 @@ public:
 
     // The numbers of the material's model, in the order of the `gloss` of its shader.
     glm::dvec4 gloss() const {
-        const Material& from = scene_.surface.material;
+        const Material& from = surface_.material;
         switch (from.model) {
         case Material::Model::lambert:
             break;
@@ -324,9 +323,9 @@ private:
         const Camera& from = scene_.camera;
         constexpr double narrow = 1e-3; // degrees: narrower ones need an eye so far away
         const TrackId of_framing = camera.fov < narrow ? from.fov
-                                   : scene_.surface.bounds.shape == Bounds::Shape::sphere
-                                       ? scene_.surface.bounds.radius
-                                       : scene_.surface.bounds.min[0];
+                                   : surface_.bounds.shape == Bounds::Shape::sphere
+                                       ? surface_.bounds.radius
+                                       : surface_.bounds.min[0];
         const TrackId track = from.position   ? (*from.position)[0]
                               : from.distance ? *from.distance
                               : from.target   ? (*from.target)[0]
@@ -356,7 +355,7 @@ private:
     // Reads a length that rays are scaled by.
     double long_enough(TrackId track, const char* what) const {
         const double value = positive(track, what);
-        if (value >= limits::least_radius * number(scene_.surface.placement.scale)) return value;
+        if (value >= limits::least_radius * number(surface_.placement.scale)) return value;
         fail(track, fmt::format("{} must be at least {:g} in the formula's coordinates, not {}",
                                 what, limits::least_radius, value));
     }
@@ -411,53 +410,49 @@ private:
     }
 
     const Scene& scene_;
+    const Surface& surface_;
     const animation::Values& values_;
 };
 
 } // namespace
 
 SceneAt in_formula_coordinates(SceneAt scene) {
-    const PlacementAt first = scene.surface.placement;
-    const glm::dmat3 to_local = glm::transpose(scene.surface.placement.rotate);
-    scene.camera.position = scene.surface.placement.to_local(scene.camera.position);
-    scene.camera.target = scene.surface.placement.to_local(scene.camera.target);
+    const PlacementAt first = scene.surfaces.front().placement;
+    const glm::dmat3 to_local = glm::transpose(first.rotate);
+    scene.camera.position = first.to_local(scene.camera.position);
+    scene.camera.target = first.to_local(scene.camera.target);
     scene.camera.up = to_local * scene.camera.up;
     for (double* length : {&scene.camera.height, &scene.camera.aperture, &scene.camera.focus}) {
-        *length /= scene.surface.placement.scale;
+        *length /= first.scale;
     }
     for (LightAt& light : scene.lights) {
-        light.direction = light.is_point ? scene.surface.placement.to_local(light.direction)
-                                         : to_local * light.direction;
-        light.falloff /= scene.surface.placement.scale;
-        if (light.is_point) light.radius /= scene.surface.placement.scale;
+        light.direction =
+            light.is_point ? first.to_local(light.direction) : to_local * light.direction;
+        light.falloff /= first.scale;
+        if (light.is_point) light.radius /= first.scale;
     }
-    for (SectionAt& section : scene.sections)
-        section = in_formula_coordinates(section, scene.surface.placement);
-    scene.surface.glass.absorption *= scene.surface.placement.scale;
-    scene.fog.density *= scene.surface.placement.scale;
-    scene.fog.start /= scene.surface.placement.scale;
-    scene.occlusion.reach /= scene.surface.placement.scale;
+    for (SectionAt& section : scene.sections) section = in_formula_coordinates(section, first);
+    scene.fog.density *= first.scale;
+    scene.fog.start /= first.scale;
+    scene.occlusion.reach /= first.scale;
     if (scene.environment) {
         for (auto axis : {&EnvironmentAt::ahead, &EnvironmentAt::left, &EnvironmentAt::top}) {
             (*scene.environment).*axis = to_local * (*scene.environment).*axis;
         }
     }
-    scene.surface.placement = {};
-    for (SceneAt& other : scene.others) {
-        other.surface.placement.translate = first.to_local(other.surface.placement.translate);
-        other.surface.placement.rotate = to_local * other.surface.placement.rotate;
-        other.surface.placement.scale /= first.scale;
-        other.surface.glass.absorption *=
-            first.scale; // per unit of the first one's formula from now on
-        share(scene, other);
+    for (SurfaceAt& surface : scene.surfaces) {
+        surface.placement.translate = first.to_local(surface.placement.translate);
+        surface.placement.rotate = to_local * surface.placement.rotate;
+        surface.placement.scale /= first.scale;
+        surface.glass.absorption *= first.scale;
     }
+    scene.surfaces.front().placement = {}; // exactly
     return scene;
 }
 
-void share(const SceneAt& from, SceneAt& to) { share_surroundings(from, to); }
-
 namespace {
 
+// The surface, where it is and what it is of.
 SurfaceAt surface_at(const Surface& surface, const Reader& read,
                      std::shared_ptr<const animation::Values> values) {
     SurfaceAt now;
@@ -484,19 +479,18 @@ SurfaceAt surface_at(const Surface& surface, const Reader& read,
 
 } // namespace
 
+SurfaceAt surface_at(const OneSurface& one, double time) {
+    auto values = std::make_shared<const animation::Values>(one.surface.animation.at(time));
+    const Reader read(one, *values);
+    return surface_at(one.surface, read, std::move(values));
+}
+
 SceneAt at(const Scene& scene, double time) {
     SceneAt now;
     now.time = time;
-    const auto values = std::make_shared<const animation::Values>(scene.surface.animation.at(time));
-    const Reader read(scene, *values);
-    now.surface = surface_at(scene.surface, read, values);
-    for (const Scene& other : scene.others) {
-        const auto its =
-            std::make_shared<const animation::Values>(other.surface.animation.at(time));
-        SceneAt& at_now = now.others.emplace_back();
-        at_now.time = time;
-        at_now.surface = surface_at(other.surface, Reader(other, *its), its);
-    }
+    for (std::size_t k = 0; k < scene.surfaces.size(); ++k)
+        now.surfaces.push_back(surface_at(OneSurface(scene, k), time));
+    const Reader read(OneSurface(scene, 0), *now.surfaces.front().values);
     const Ball all = ball_about_all(now);
     now.camera = read.camera(all);
     now.lights = read.lights(now.camera);
@@ -507,7 +501,6 @@ SceneAt at(const Scene& scene, double time) {
         now.ambient = {read.color(scene.ambient->top), read.color(scene.ambient->bottom)};
     if (scene.occlusion) now.occlusion = read.occlusion(*scene.occlusion, all.radius);
     if (scene.environment) now.environment = read.environment(*scene.environment);
-    for (SceneAt& other : now.others) share(now, other);
     return now;
 }
 

@@ -112,7 +112,7 @@ struct SurfaceAt {
 
 struct SceneAt {
     double time = 0;
-    SurfaceAt surface;
+    std::vector<SurfaceAt> surfaces; // as the scene lists them
     CameraAt camera;
     std::vector<LightAt> lights;
     std::vector<SectionAt> sections; // world
@@ -121,18 +121,29 @@ struct SceneAt {
     AmbientAt ambient;
     OcclusionAt occlusion;
     std::optional<EnvironmentAt> environment;
-    std::vector<SceneAt> others; // states of the scene's other surfaces; shared settings are equal
 };
 
-// Moves the surface to its formula coordinates, and the camera and lights with it. Rays and
-// verdicts stay the same. Positions are then in formula coordinates, where float has full precision
-// for them. The ground doesn't move, since it is not part of the surface. With several surfaces the
-// first one is moved to its formula coordinates, and the others keep their positions relative to
-// it.
-SceneAt in_formula_coordinates(SceneAt scene);
+// One surface at the scene's time. It refers to the scene's state, which must outlive it.
+struct OneSurfaceAt {
+    OneSurfaceAt(const SceneAt& its_scene, std::size_t index)
+        : scene(its_scene)
+        , surface(its_scene.surfaces.at(index)) {}
+    // The surface of a scene that has a single one, as OneSurface does.
+    OneSurfaceAt(const SceneAt& its_scene) // NOLINT(google-explicit-constructor)
+        : OneSurfaceAt(its_scene, only(its_scene.surfaces.size())) {}
+    // The surface as another camera sees it, or by other light.
+    OneSurfaceAt(const SceneAt& other_scene, const SurfaceAt& its_surface)
+        : scene(other_scene)
+        , surface(its_surface) {}
 
-// Copies to one surface the settings that all share: camera, lights, sections, surroundings.
-void share(const SceneAt& from, SceneAt& to);
+    const SceneAt& scene;
+    const SurfaceAt& surface;
+};
+
+// Moves the first surface to its formula coordinates, and all else with it. Rays and verdicts stay
+// the same. Positions are then in that surface's formula coordinates, where float has full
+// precision for them. The ground doesn't move, since it is not part of a surface.
+SceneAt in_formula_coordinates(SceneAt scene);
 
 // Throws SceneError if a value is out of its range at this time (a radius of 0, a field of view of
 // 200 degrees, a camera at its own target).
@@ -140,5 +151,8 @@ SceneAt at(const Scene& scene, double time);
 SceneAt at_frame(const Scene& scene, std::int64_t frame);
 // `part` of a frame's duration, 0 to 1, after the frame's time.
 SceneAt at_frame(const Scene& scene, std::int64_t frame, double part);
+
+// A surface alone, without what its scene shares.
+SurfaceAt surface_at(const OneSurface& one, double time);
 
 } // namespace isomotion::scene

@@ -72,16 +72,16 @@ struct Met {
 // The scene at one time, as a ray meets it.
 class MetSurface {
 public:
-    MetSurface(const Scene& scene, const formula::Paint& paint, const SceneAt& now,
+    MetSurface(const OneSurface& one, const formula::Paint& paint, const OneSurfaceAt& now,
                NearElements& elements, bool paint_sums_all)
-        : value_(scene.surface.field->value)
-        , field_(*scene.surface.field)
+        : value_(one.surface.field->value)
+        , field_(*one.surface.field)
         , paint_(paint.value)
         , now_(now)
         , elements_(elements)
         , paint_sums_all_(paint_sums_all) {
         if (paint.hessian) hessian_.emplace(*paint.hessian);
-        for (const SectionAt& section : now.sections)
+        for (const SectionAt& section : now.scene.sections)
             sections_.push_back(in_formula_coordinates(section, now.surface.placement));
     }
 
@@ -122,7 +122,7 @@ public:
             glm::normalize(now_.surface.placement.rotate * glm::dvec3(g[0], g[1], g[2]));
         const std::array<double, 10> inputs{
             // paint_names
-            p.x, p.y, p.z, n.x, n.y, n.z, curved.mean, curved.gaussian, 0, now_.time};
+            p.x, p.y, p.z, n.x, n.y, n.z, curved.mean, curved.gaussian, 0, now_.scene.time};
         double number = 0;
         paint_.point(paint_sums_all_ ? elements_.all() : bindings, inputs, {&number, 1});
         return number;
@@ -189,7 +189,7 @@ private:
     formula::FieldEvaluator<double> field_;
     formula::Evaluator<double> paint_;
     std::optional<formula::Evaluator<double>> hessian_;
-    const SceneAt& now_;
+    const OneSurfaceAt now_;
     NearElements& elements_;
     bool paint_sums_all_;
     std::vector<SectionAt> sections_; // formula coordinates
@@ -202,11 +202,11 @@ double work(const formula::Program& program, std::span<const int> counts) {
 }
 
 // Rays on the longer side of a picture, so many that all frames take what there is to spend.
-int rays_across(const Scene& scene, const formula::Paint& paint, const NearElements& elements,
+int rays_across(const OneSurface& one, const formula::Paint& paint, const NearElements& elements,
                 bool paint_sums_all, int frames) {
     const std::vector<int> usual = elements.usual_counts();
     const std::vector<int> all = elements.all().counts();
-    const formula::Field& field = *scene.surface.field;
+    const formula::Field& field = *one.surface.field;
     constexpr int values = Effort::pieces + Effort::rounds * Effort::parts;
     double each = values * work(field.value, usual) + work(field.gradient, usual) +
                   work(paint.value, paint_sums_all ? all : usual);
@@ -218,8 +218,8 @@ int rays_across(const Scene& scene, const formula::Paint& paint, const NearEleme
     return std::clamp(int(std::sqrt(rays)), Effort::fewest_across, Effort::most_across);
 }
 
-int frames_to_show(const Scene& scene) {
-    const animation::Animation& animation = scene.surface.animation;
+int frames_to_show(const OneSurface& one) {
+    const animation::Animation& animation = one.surface.animation;
     double values = 0, operations = animation.operations();
     for (std::size_t a = 0; a < animation.arrays().size(); ++a) {
         values += animation.values(a);
@@ -230,7 +230,7 @@ int frames_to_show(const Scene& scene) {
     const double by_operations = Effort::most_to_have_them / (operations + 1);
     const int frames = int(std::clamp(std::min(Effort::most_values / (values + 1), by_operations),
                                       double(Effort::fewest_frames), double(Effort::most_frames)));
-    return std::min(frames, scene.timeline.frames);
+    return std::min(frames, one.scene.timeline.frames);
 }
 
 // One end of the numbers of a picture, and the ray that shows it.
@@ -300,16 +300,17 @@ private:
 };
 
 // Widens the range by what a frame shows. Whether a ray met the surface.
-bool look(const Scene& scene, const formula::Paint& paint, bool sums_all,
+bool look(const OneSurface& one, const formula::Paint& paint, bool sums_all,
           const ElementFinder& finder, int frame, int frames, Range& range) {
-    const SceneAt now = at_frame(scene, frame);
-    NearElements elements(finder, now);
-    const int longer = rays_across(scene, paint, elements, sums_all, frames);
-    const int most = std::max(scene.output.width, scene.output.height);
-    const int width = std::max(1, longer * scene.output.width / most);
-    const int height = std::max(1, longer * scene.output.height / most);
-    MetSurface surface(scene, paint, now, elements, sums_all);
-    Pictured picture(surface, rays(now, scene.output.width, scene.output.height),
+    const SceneAt scene = at_frame(one.scene, frame);
+    const OneSurfaceAt now(scene, one.index);
+    NearElements elements(finder, now.surface);
+    const int longer = rays_across(one, paint, elements, sums_all, frames);
+    const int most = std::max(one.scene.output.width, one.scene.output.height);
+    const int width = std::max(1, longer * one.scene.output.width / most);
+    const int height = std::max(1, longer * one.scene.output.height / most);
+    MetSurface surface(one, paint, now, elements, sums_all);
+    Pictured picture(surface, rays(now, one.scene.output.width, one.scene.output.height),
                      now.surface.bounds);
     std::array<End, 2> ends{End{-1}, End{1}};
     picture.scan(width, height, ends);
@@ -328,9 +329,9 @@ bool look(const Scene& scene, const formula::Paint& paint, bool sums_all,
 
 } // namespace
 
-ShownRange shown_range(const Scene& scene, const formula::Paint& paint) {
-    const ElementFinder finder(scene);
-    const int frames = frames_to_show(scene);
+ShownRange shown_range(const OneSurface& one, const formula::Paint& paint) {
+    const ElementFinder finder(one);
+    const int frames = frames_to_show(one);
     const auto array = finder.array();
     const bool sums_all =
         array && !formula::weigh_like_field(paint.graph, paint.field, paint.roots, *array);
@@ -339,9 +340,9 @@ ShownRange shown_range(const Scene& scene, const formula::Paint& paint) {
     bool met = false;
     for (int k = 0; k < frames; ++k) {
         const int frame =
-            1 + int(std::int64_t(scene.timeline.frames - 1) * k / std::max(1, frames - 1));
+            1 + int(std::int64_t(one.scene.timeline.frames - 1) * k / std::max(1, frames - 1));
         try {
-            met = look(scene, paint, sums_all, finder, frame, frames, range) || met;
+            met = look(one, paint, sums_all, finder, frame, frames, range) || met;
         } catch (const SceneError&) { // said where the frame is drawn, as is the other
         } catch (const std::length_error&) {
         }

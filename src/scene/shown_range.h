@@ -27,6 +27,6 @@ struct ShownRange {
 //
 // Throws NoRange if even few rays take too long, or if the surface is hit but no number on it is
 // finite.
-ShownRange shown_range(const Scene& scene, const formula::Paint& paint);
+ShownRange shown_range(const OneSurface& one, const formula::Paint& paint);
 
 } // namespace isomotion::scene

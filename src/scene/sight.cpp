@@ -49,15 +49,15 @@ glm::dvec3 on_faces(const BoundsAt& bounds, int k) {
 }
 
 // Whether a section takes a place of the world away.
-bool is_cut_off(const SceneAt& now, const glm::dvec3& world) {
-    return std::ranges::any_of(now.sections,
+bool is_cut_off(const OneSurfaceAt& now, const glm::dvec3& world) {
+    return std::ranges::any_of(now.scene.sections,
                                [&](const SectionAt& section) { return section.value(world) > 0; });
 }
 
 // F's values, if intervals keep them off 0 everywhere in the bounds.
 class Enclosing {
 public:
-    Enclosing(const formula::Program& value, const SceneAt& now, double evaluations)
+    Enclosing(const formula::Program& value, const OneSurfaceAt& now, double evaluations)
         : value_(value)
         , bindings_(formula::convert<Interval>(now.surface.bindings))
         , bounds_(now.surface.bounds)
@@ -102,8 +102,8 @@ private:
 
 } // namespace
 
-Sight sight(const Scene& scene, const SceneAt& now) {
-    const formula::Field& field = *scene.surface.field;
+Sight sight(const OneSurface& one, const OneSurfaceAt& now) {
+    const formula::Field& field = *one.surface.field;
     const std::vector<int> counts = now.surface.bindings.counts();
     const double evaluations =
         most_operations / (formula::cost(field.value, counts).operations + 1);
@@ -169,18 +169,18 @@ Sight sight(const Scene& scene, const SceneAt& now) {
         if (points < fewest_points) break;
         const auto part = below_0(enlarged(now.surface.bounds, factor), [](double) {});
         has_end = part && (*part == 0 || *part == 1);
-        if (has_end && !scene.surface.material.inside) found.closed_by = factor;
+        if (has_end && !one.surface.material.inside) found.closed_by = factor;
     }
-    found.unbounded = why_unbounded(scene, now);
+    found.unbounded = why_unbounded(one, now.surface);
     if (!found.changes_sign) {
         found.values =
             Enclosing(formula::enclosure_programs(field).value, now, evaluations).values();
         if (found.values)
             found.values = Interval{found.values->lo / field.scale, found.values->hi / field.scale};
     }
-    const glm::dvec3 eye = now.surface.placement.to_local(now.camera.position);
-    const bool is_perspective = now.camera.projection == Camera::Projection::perspective;
-    const bool is_outside = is_cut_off(now, now.camera.position);
+    const glm::dvec3 eye = now.surface.placement.to_local(now.scene.camera.position);
+    const bool is_perspective = now.scene.camera.projection == Camera::Projection::perspective;
+    const bool is_outside = is_cut_off(now, now.scene.camera.position);
     if (is_perspective && is_in(now.surface.bounds, eye) && has_end && !is_outside) {
         const double at_eye = f_at({eye})[0];
         found.eye_in_solid = below > 0.5 ? at_eye > 0 : at_eye < 0;

@@ -26,7 +26,7 @@ struct Sight {
     bool eye_in_solid = false; // where F has that sign; false if a surface extends without end
 };
 
-Sight sight(const Scene& scene, const SceneAt& now);
+Sight sight(const OneSurface& one, const OneSurfaceAt& now);
 
 // The reason for a frame without a hit.
 std::string why_nothing_is_seen(const Sight& sight);

@@ -3,79 +3,135 @@
 #include <algorithm>
 #include <functional>
 #include <string_view>
+#include <type_traits>
 
 #include <fmt/format.h>
 
 #include "scene/error.h"
-#include "scene/nth_surface.h"
-#include "scene/shared_by_surfaces.h"
 
 namespace isomotion::scene {
 
 namespace {
 
-bool mirrors_all(const Scene& surface) {
-    return surface.surface.material.reflection == Material::Reflection::self;
-}
-
-Among among_all(const Scene& scene, Among one) {
-    one.mirrors = 0;
-    one.matters.clear();
-    one.depth = 0;
-    for (int k = 0; k < int(surface_count(scene)); ++k) {
-        const Scene& surface = nth_surface(scene, std::size_t(k));
-        const Material& material = surface.surface.material;
-        one.mirrors |= int(mirrors_all(surface)) << k;
-        if (!material.glass) continue;
-        one.matters.push_back(k);
-        one.depth = std::max(one.depth, material.glass->depth);
+// Calls visit() with each track of the settings that all surfaces of a scene share.
+template<class Visit> void for_each_shared_track(Scene& scene, const Visit& visit) {
+    const auto single = [&](TrackId& track) { visit(track); };
+    const auto all = [&](Vec3Track& tracks) { std::ranges::for_each(tracks, visit); };
+    const auto given = [&](auto& setting) {
+        using Setting = std::remove_cvref_t<decltype(*setting)>;
+        if (!setting) return;
+        if constexpr (std::is_same_v<Setting, TrackId>) single(*setting);
+        if constexpr (std::is_same_v<Setting, Vec3Track>) all(*setting);
+    };
+    Camera& camera = scene.camera;
+    for (auto* setting : {&camera.position, &camera.target}) given(*setting);
+    for (auto* setting : {&camera.distance, &camera.height, &camera.aperture, &camera.focus})
+        given(*setting);
+    for (auto* track : {&camera.azimuth, &camera.elevation, &camera.fov, &camera.zoom})
+        single(*track);
+    all(camera.up);
+    for (Light& light : scene.lights) {
+        all(light.direction);
+        all(light.color);
+        given(light.falloff);
+        given(light.radius);
     }
-    std::ranges::stable_sort(one.matters, std::greater{}, [&](int k) {
-        return nth_surface(scene, std::size_t(k)).surface.material.glass->priority;
-    });
-    return one;
+    for (Cut& cut : scene.sections) {
+        if (cut.is_ball) {
+            all(cut.centre);
+            single(cut.radius);
+        } else {
+            all(cut.normal);
+            all(cut.point);
+            single(cut.offset);
+        }
+    }
+    if (scene.ground) {
+        single(scene.ground->height);
+        all(scene.ground->color);
+    }
+    if (scene.fog) {
+        single(scene.fog->density);
+        single(scene.fog->start);
+        all(scene.fog->color);
+    }
+    if (scene.ambient) {
+        all(scene.ambient->top);
+        all(scene.ambient->bottom);
+    }
+    if (scene.occlusion) {
+        given(scene.occlusion->reach);
+        single(scene.occlusion->strength);
+    }
+    if (scene.environment) {
+        single(scene.environment->rotation);
+        single(scene.environment->intensity);
+    }
 }
 
 } // namespace
 
-Scene of_surface(const Scene& scene, int index) {
-    Scene one = nth_surface(scene, std::size_t(index));
-    one.others.clear();
-    if (scene.among.count > 1) one.among = among_all(scene, one.among);
-    if (index == 0) return one;
-    share_surroundings(scene, one);
-    one.output = scene.output;
-    return one;
+Scene alone(const OneSurface& one) {
+    Scene scene = one.scene;
+    scene.surfaces = {one.surface};
+    const std::string& label = one.surface.label;
+    if (!label.empty()) scene.title += fmt::format(" ({})", label);
+    if (one.index == 0) return scene; // whose tracks they are
+    // Each surface's animation has tracks of these names: it was read with them.
+    const auto& named = one.scene.surfaces.front().animation.tracks();
+    const animation::Animation& own = one.surface.animation;
+    for_each_shared_track(
+        scene, [&](TrackId& track) { track = own.find(named[std::size_t(track)].name).value(); });
+    return scene;
 }
 
-Scene alone(const Scene& scene, int index) {
-    // Its own tracks tell where camera and lights are.
-    Scene one = nth_surface(scene, std::size_t(index));
-    one.others.clear();
-    one.among = {};
-    if (!one.surface.label.empty()) one.title += fmt::format(" ({})", one.surface.label);
-    return one;
+int mirrors(const Scene& scene) {
+    int mask = 0;
+    for (std::size_t k = 0; k < scene.surfaces.size(); ++k) {
+        const Material& material = scene.surfaces[k].material;
+        mask |= int(material.reflection == Material::Reflection::self) << k;
+    }
+    return mask;
+}
+
+std::vector<std::size_t> matters(const Scene& scene) {
+    std::vector<std::size_t> found;
+    for (std::size_t k = 0; k < scene.surfaces.size(); ++k) {
+        if (scene.surfaces[k].material.glass) found.push_back(k);
+    }
+    std::ranges::stable_sort(found, std::greater{}, [&](std::size_t k) {
+        return scene.surfaces[k].material.glass->priority;
+    });
+    return found;
+}
+
+int depth_of_matters(const Scene& scene) {
+    int depth = 0;
+    for (const std::size_t k : matters(scene))
+        depth = std::max(depth, scene.surfaces[k].material.glass->depth);
+    return depth;
 }
 
 std::vector<std::string> surface_names(const Scene& scene) {
     std::vector<std::string> names;
-    for_each_surface(scene, [&](const Scene& one) { names.push_back(one.surface.label); });
+    for (const Surface& surface : scene.surfaces) names.push_back(surface.label);
     return names;
 }
 
-int surface_named(const Scene& scene, const std::string& name, const std::string& option) {
-    if (!has_several_surfaces(scene))
+std::size_t surface_named(const Scene& scene, const std::string& name, const std::string& option) {
+    if (scene.surfaces.size() == 1)
         throw SceneError(fmt::format("{}: has one surface; leave {} out", scene.title, option));
     const std::vector<std::string> names = surface_names(scene);
     const auto found = std::ranges::find(names, name);
-    if (found != names.end()) return int(found - names.begin());
+    if (found != names.end()) return std::size_t(found - names.begin());
     throw SceneError(fmt::format("{} {}: the scene has no such surface; it has {}", option, name,
                                  fmt::join(names, ", ")));
 }
 
-std::string place_of(const Scene& surface, const std::string& name) {
-    StatedAt at = stated_at(surface.surface.value_places.get(), surface.file.string(), name);
-    const std::string& label = surface.surface.label;
+std::string place_of(const OneSurface& one, const std::string& name) {
+    const Surface& surface = one.surface;
+    StatedAt at = stated_at(surface.value_places.get(), one.scene.file.string(), name);
+    const std::string& label = surface.label;
     if (label.empty()) return fmt::format("{}: {}", at.position, at.key);
     constexpr std::string_view of_one = "surface.";
     if (at.key.starts_with(of_one)) at.key.erase(0, of_one.size());
@@ -83,9 +139,10 @@ std::string place_of(const Scene& surface, const std::string& name) {
 }
 
 void expect_one_surface(const Scene& scene, const std::string& who) {
-    if (!has_several_surfaces(scene)) return;
+    if (scene.surfaces.size() == 1) return;
     throw SceneError(fmt::format("{}: has {} surfaces ({}), and {} knows one", scene.title,
-                                 scene.among.count, fmt::join(surface_names(scene), ", "), who));
+                                 scene.surfaces.size(), fmt::join(surface_names(scene), ", "),
+                                 who));
 }
 
 Isolation changed_alike(Isolation other, const Isolation& before, const Isolation& now) {

@@ -1,7 +1,4 @@
-// Scenes with several surfaces.
-//
-// Each surface has its own formula, bounds, placement, material and method. Camera, lights,
-// sections, surroundings and output are those of the first, which represents the scene.
+// The surfaces of a scene, by name and alone.
 #pragma once
 
 #include <string>
@@ -13,21 +10,27 @@ namespace isomotion::scene {
 
 inline constexpr int most_surfaces = 8;
 
-// One surface, with the shared settings that the first one has now.
-Scene of_surface(const Scene& scene, int index);
-// The same surface as a scene of its own.
-Scene alone(const Scene& scene, int index);
+// A scene of this surface only, with the settings that all share as they are for it: its own
+// parameters move them. They must be those that were read.
+Scene alone(const OneSurface& one);
+
+// A bit for each surface that mirrors all surfaces.
+int mirrors(const Scene& scene);
+// The surfaces of glass, the one whose matter counts before all others first; and the largest of
+// their depths.
+std::vector<std::size_t> matters(const Scene& scene);
+int depth_of_matters(const Scene& scene);
 
 std::vector<std::string> surface_names(const Scene& scene);
 // The index of the surface with that name, given by an option of the command line. Throws
 // SceneError that lists the names if there is none.
-int surface_named(const Scene& scene, const std::string& name,
-                  const std::string& option = "--surface");
+std::size_t surface_named(const Scene& scene, const std::string& name,
+                          const std::string& option = "--surface");
 
 // Where the file states what belongs to a surface, for messages: "ring.toml:9: material.color", or
 // of one among several "ring.toml:9: surfaces.ball.material.color", as --set calls it. `name`: see
 // value_places.h.
-std::string place_of(const Scene& surface, const std::string& name);
+std::string place_of(const OneSurface& one, const std::string& name);
 
 // Throws SceneError if there are several surfaces. `who` needs a single one: "a page".
 void expect_one_surface(const Scene& scene, const std::string& who);

@@ -23,9 +23,9 @@ struct Sample {
 
 // Samples of F at points of the bounds, by arithmetic of T.
 template<class T>
-std::vector<Sample> samples_of(const formula::Field& field, const SceneAt& scene) {
+std::vector<Sample> samples_of(const formula::Field& field, const SurfaceAt& surface) {
     // A large sum makes each sample dear; the median needs few.
-    const std::vector<int> counts = scene.surface.bindings.counts();
+    const std::vector<int> counts = surface.bindings.counts();
     const double operations = std::max(formula::cost(field.gradient, counts).operations,
                                        formula::cost(field.value, counts).operations);
     // But a formula at the limits (scene/limits.h) must not keep a scene from being read.
@@ -39,11 +39,10 @@ std::vector<Sample> samples_of(const formula::Field& field, const SceneAt& scene
     for (auto& part : gradients) part.resize(std::size_t(count));
     for (int k = 1; k <= count; ++k) {
         const glm::dvec3 unit(halton(k, 2), halton(k, 3), halton(k, 5));
-        const glm::dvec3 p =
-            scene.surface.bounds.min + unit * (scene.surface.bounds.max - scene.surface.bounds.min);
+        const glm::dvec3 p = surface.bounds.min + unit * (surface.bounds.max - surface.bounds.min);
         for (int axis = 0; axis < 3; ++axis) at[std::size_t(axis)].push_back(T(p[axis]));
     }
-    const auto bindings = formula::convert<T>(scene.surface.bindings);
+    const auto bindings = formula::convert<T>(surface.bindings);
     const std::array<std::span<const T>, 3> from{at[0], at[1], at[2]};
     formula::Evaluator<T>(field.value).points(bindings, from, std::array{std::span(values)});
     formula::Evaluator<T>(field.gradient)
@@ -94,11 +93,11 @@ int moderated_exponent(std::span<const double> slopes) {
 
 // Samples by floats that come to the values of doubles, unscaled or times `scale`. The others have
 // parts that are cut off at 10^30, or underflow, whatever the scale.
-std::vector<Sample> samples_that_floats_hold(const formula::Field& field, const SceneAt& scene,
+std::vector<Sample> samples_that_floats_hold(const formula::Field& field, const SurfaceAt& surface,
                                              double scale) {
-    const std::vector<Sample> exact = samples_of<double>(field, scene);
-    const std::vector<Sample> unscaled = samples_of<float>(field, scene);
-    const std::vector<Sample> scaled = samples_of<float>(formula::scaled(field, scale), scene);
+    const std::vector<Sample> exact = samples_of<double>(field, surface);
+    const std::vector<Sample> unscaled = samples_of<float>(field, surface);
+    const std::vector<Sample> scaled = samples_of<float>(formula::scaled(field, scale), surface);
     const auto agree = [](double a, double b) { return std::abs(a - b) <= 0.5 * std::abs(b); };
     std::vector<Sample> held;
     for (std::size_t k = 0; k < exact.size(); ++k) {
@@ -113,8 +112,8 @@ std::vector<Sample> samples_that_floats_hold(const formula::Field& field, const 
 
 } // namespace
 
-double field_slope(const formula::Field& field, const SceneAt& scene) {
-    const std::vector<double> slopes = slopes_near_surface(samples_of<double>(field, scene));
+double field_slope(const formula::Field& field, const SurfaceAt& surface) {
+    const std::vector<double> slopes = slopes_near_surface(samples_of<double>(field, surface));
     return slopes.empty() ? 0 : slopes[slopes.size() / 2];
 }
 
@@ -124,17 +123,17 @@ Thresholds field_thresholds(double slope, double step) {
     return {2 * step * slope, 8 * step * slope, 0.1 * slope};
 }
 
-double field_scale(const formula::Field& field, const SceneAt& scene) {
-    std::vector<double> slopes = slopes_near_surface(samples_of<double>(field, scene));
+double field_scale(const formula::Field& field, const SurfaceAt& surface) {
+    std::vector<double> slopes = slopes_near_surface(samples_of<double>(field, surface));
     const int exponent = moderated_exponent(slopes);
     if (exponent == 0) return 1;
-    slopes = slopes_near_surface(samples_that_floats_hold(field, scene, power_of_two(-exponent)));
+    slopes = slopes_near_surface(samples_that_floats_hold(field, surface, power_of_two(-exponent)));
     return power_of_two(-moderated_exponent(slopes)); // 1 if no scale makes floats hold F
 }
 
-Float32Loss float32_loss(const formula::Field& field, const SceneAt& scene) {
-    const std::vector<Sample> in_floats = samples_of<float>(field, scene);
-    const std::vector<Sample> in_doubles = samples_of<double>(field, scene);
+Float32Loss float32_loss(const formula::Field& field, const SurfaceAt& surface) {
+    const std::vector<Sample> in_floats = samples_of<float>(field, surface);
+    const std::vector<Sample> in_doubles = samples_of<double>(field, surface);
     Float32Loss loss;
     std::size_t values = 0, lost = 0;
     for (std::size_t k = 0; k < in_floats.size(); ++k) {

@@ -11,7 +11,7 @@ struct Thresholds {
 
 // The median of |grad F| over sample points near the surface; 0 if the gradient is 0 at all of
 // them.
-double field_slope(const formula::Field& field, const SceneAt& scene);
+double field_slope(const formula::Field& field, const SurfaceAt& surface);
 
 // One step b off the surface |F| is about b |grad F|. `near` is the value two steps off, `far` the
 // value eight steps off, and `horizon` the slope of a ray within six degrees of the tangent plane.
@@ -22,13 +22,13 @@ Thresholds field_thresholds(double slope, double step);
 // it scales the slope to 1, which keeps all that a march takes, F as its second derivative, within
 // float32, whatever the size of the bounds; only part of the way where a tenth of the slopes would
 // be lost by that. Scaling a field times 2^k gives the same field.
-double field_scale(const formula::Field& field, const SceneAt& scene);
+double field_scale(const formula::Field& field, const SurfaceAt& surface);
 
 struct Float32Loss {
     double part = 0;    // of sample points: those where float32 can't represent F
     double example = 0; // one such value of F, for the user's formula
 };
 
-Float32Loss float32_loss(const formula::Field& field, const SceneAt& scene);
+Float32Loss float32_loss(const formula::Field& field, const SurfaceAt& surface);
 
 } // namespace isomotion::scene

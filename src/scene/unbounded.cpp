@@ -145,9 +145,9 @@ struct NamedValue {
 };
 
 // What a quotient is divided by, or what another part is made of.
-std::vector<NamedValue> values_of(const Scene& scene, const SceneAt& now, const Culprit& of) {
-    const formula::Graph& graph = scene.surface.field->graph;
-    const animation::Animation& animation = scene.surface.animation;
+std::vector<NamedValue> values_of(const OneSurface& one, const SurfaceAt& now, const Culprit& of) {
+    const formula::Graph& graph = one.surface.field->graph;
+    const animation::Animation& animation = one.surface.animation;
     const Node& part = graph[of.node];
     const NodeId from = part.op == Op::divide ? part.children[1] : of.node;
     std::vector<NamedValue> values;
@@ -155,29 +155,29 @@ std::vector<NamedValue> values_of(const Scene& scene, const SceneAt& now, const 
         const Node& node = graph[id];
         if (node.op == Op::parameter) {
             values.push_back({animation.tracks()[std::size_t(node.index)].name,
-                              now.surface.bindings.parameters[std::size_t(node.index)]});
+                              now.bindings.parameters[std::size_t(node.index)]});
         }
         if (node.op != Op::element || node.index != of.array) continue;
         const auto a = std::size_t(node.index), f = std::size_t(node.second);
         const animation::Array& array = animation.arrays()[a];
         values.push_back({fmt::format("{}.{}[{}]", array.name, array.fields[f].name, of.element),
-                          now.surface.bindings.arrays[a].fields[f][of.element]});
+                          now.bindings.arrays[a].fields[f][of.element]});
     }
     return values;
 }
 
 } // namespace
 
-std::optional<std::string> why_unbounded(const Scene& scene, const SceneAt& now) {
-    const formula::Field& field = *scene.surface.field;
-    const auto bindings = formula::convert<Interval>(now.surface.bindings);
-    const std::vector<int> counts = now.surface.bindings.counts();
+std::optional<std::string> why_unbounded(const OneSurface& one, const SurfaceAt& now) {
+    const formula::Field& field = *one.surface.field;
+    const auto bindings = formula::convert<Interval>(now.bindings);
+    const std::vector<int> counts = now.bindings.counts();
     if (formula::cost(field.value, counts).operations > most_work / most_points)
         return std::nullopt;
     // Parts adds a node for each.
     if (2 * field.graph.size() > formula::limits::graph_nodes) return std::nullopt;
     const formula::EnclosurePrograms& programs = formula::enclosure_programs(field);
-    const std::vector<Point> points = points_of(now.surface.bounds);
+    const std::vector<Point> points = points_of(now.bounds);
     formula::Evaluator<Interval> value(programs.value), jumps(programs.jumps);
     const bool is_known = std::ranges::any_of(points, [&](const Point& p) {
         Interval f;
@@ -191,9 +191,9 @@ std::optional<std::string> why_unbounded(const Scene& scene, const SceneAt& now)
     for (std::size_t a = 0; !found && a < counts.size(); ++a)
         found = culprit(field, int(a), bindings, points);
     if (!found) return std::nullopt;
-    const std::vector<NamedValue> values = values_of(scene, now, *found);
+    const std::vector<NamedValue> values = values_of(one, now, *found);
     if (values.empty()) return std::nullopt;
-    std::string told = fmt::format("{} is {:g}", place_of(scene, values[0].name), values[0].value);
+    std::string told = fmt::format("{} is {:g}", place_of(one, values[0].name), values[0].value);
     for (std::size_t k = 1; k < values.size(); ++k)
         told += fmt::format(", {} {:g}", values[k].name, values[k].value);
     const bool is_of_element = std::ranges::any_of(
@@ -203,7 +203,7 @@ std::optional<std::string> why_unbounded(const Scene& scene, const SceneAt& now)
     const bool is_divisor = field.graph[found->node].op == Op::divide;
     return fmt::format("{} at t = {}: {}F has no value or may jump at every point that was tried, "
                        "so that no zero is found",
-                       told, now.time, is_divisor ? "a divisor is 0 by it, and " : "");
+                       told, now.values->time, is_divisor ? "a divisor is 0 by it, and " : "");
 }
 
 } // namespace isomotion::scene

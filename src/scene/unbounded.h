@@ -12,6 +12,6 @@ namespace isomotion::scene {
 // "ring.toml:9: arrays.p.r[2] is 0 at t = 0: ...", if intervals show at none of the tried points of
 // the bounds that F has bounds and is continuous, and some values are the reason. No method that
 // goes by bounds finds a zero then, and nothing is proved.
-std::optional<std::string> why_unbounded(const Scene& scene, const SceneAt& now);
+std::optional<std::string> why_unbounded(const OneSurface& one, const SurfaceAt& now);
 
 } // namespace isomotion::scene

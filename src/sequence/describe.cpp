@@ -28,18 +28,27 @@ std::vector<std::string> layers(const std::vector<synthesis::Channel>& channels)
     return names;
 }
 
+std::vector<std::pair<std::string, double>> parameters(const scene::Surface& surface,
+                                                       const scene::SurfaceAt& now) {
+    std::vector<std::pair<std::string, double>> found;
+    for (std::size_t k = 0; k < std::size_t(surface.parameters); ++k)
+        found.emplace_back(surface.animation.tracks()[k].name, now.values->tracks[k]);
+    return found;
+}
+
 } // namespace
 
 image::Metadata frame_metadata(const scene::Scene& scene, const scene::SceneAt& now, int frame,
                                image::Format format) {
-    const scene::Isolation& isolation = scene.surface.isolation;
+    const scene::Surface& first = scene.surfaces.front();
+    const scene::Isolation& isolation = first.isolation;
     image::Metadata metadata{
         rate(scene.timeline.fps),
         {"Software", std::string("isomotion " ISOMOTION_VERSION)},
         {"isomotion:title", scene.title},
         {"isomotion:frame", frame},
         {"isomotion:time", now.time},
-        {"isomotion:formula", scene.surface.field->text},
+        {"isomotion:formula", first.field->text},
         {"isomotion:method", std::string(scene::name(isolation.method))},
         {"isomotion:step", isolation.step},
         {"isomotion:near", isolation.near},
@@ -68,13 +77,10 @@ image::Metadata frame_metadata(const scene::Scene& scene, const scene::SceneAt& 
         if (name.size() <= image::longest_name(format))
             metadata.push_back({std::move(name), std::move(value)});
     };
-    for (int k = 0; k < scene.surface.parameters; ++k) {
-        const auto index = std::size_t(k);
-        add("isomotion:parameter." + scene.surface.animation.tracks()[index].name,
-            now.surface.values->tracks[index]);
-    }
-    for (const scene::Scene& other : scene.others)
-        add("isomotion:formula." + other.surface.label, other.surface.field->text);
+    for (auto& [parameter, value] : parameters(first, now.surfaces.front()))
+        add("isomotion:parameter." + parameter, value);
+    for (const scene::Surface& other : std::span(scene.surfaces).subspan(1))
+        add("isomotion:formula." + other.label, other.field->text);
     metadata.push_back({fingerprint_key, std::string()});
     return metadata;
 }
@@ -111,12 +117,9 @@ FrameRecord record_of(const scene::Scene& scene, int frame, const scene::SceneAt
     FrameRecord record;
     record.frame = frame;
     record.time = now.time;
-    for (std::size_t k = 0; k < std::size_t(scene.surface.parameters); ++k) {
-        record.parameters.emplace_back(scene.surface.animation.tracks()[k].name,
-                                       now.surface.values->tracks[k]);
-    }
+    record.parameters = parameters(scene.surfaces.front(), now.surfaces.front());
     record.verdicts = picture.verdicts;
-    if (scene.surface.isolation.certify) record.proofs = picture.proofs;
+    if (scene.surfaces.front().isolation.certify) record.proofs = picture.proofs;
     record.without_colour = image::count_without_colour(picture.frame);
     record.evaluations = picture.evaluations();
     record.by_kind = render::each(picture.rays, &render::RayCount::evaluations);

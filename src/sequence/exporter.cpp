@@ -12,7 +12,6 @@
 #include "animation/frame_range.h"
 #include "base/file.h"
 #include "render/exposure.h"
-#include "scene/nth_surface.h"
 #include "sequence/describe.h"
 #include "sequence/manifest.h"
 #include "sequence/movies/movie.h"
@@ -56,7 +55,7 @@ void check_options(const scene::Scene& scene, const ExportOptions& options, imag
         throw OptionError(fmt::format("channels: a PNG holds the picture alone; write an EXR: {}",
                                       fs::path(options.output).replace_extension(".exr").string()));
     }
-    if (!scene.surface.isolation.certify &&
+    if (!scene.surfaces.front().isolation.certify &&
         std::ranges::find(options.channels, synthesis::Channel::proof) != options.channels.end()) {
         throw OptionError("channels proof: nothing is proved without isolation.certify");
     }
@@ -210,13 +209,13 @@ private:
     void add(int frame) {
         render::FrameInputs inputs = renderer_.prepare(scene_, frame);
         const std::string& pixels = inputs.fingerprint;
-        PendingFrame next{frame, std::make_shared<const scene::SceneAt>(inputs.now)};
+        PendingFrame next{frame, std::make_shared<const scene::SceneAt>(std::move(inputs.now))};
         next.aim = inputs.pictures.front().aim;
         inputs.pictures.front().endings_of = audit::pixels_of_frame(
             scene_.output.width, scene_.output.height, rays_to_audit(), frame);
         if (!inputs.pictures.front().endings_of.empty()) {
             next.is_audited = true;
-            next.grid = render::grid(inputs.pictures.front());
+            next.grid = render::grid(inputs.pictures.front().surfaces.front());
         }
         next.metadata = frame_metadata(scene_, *next.now, frame, format_);
         next.fingerprint =
@@ -295,7 +294,7 @@ private:
                              truth::words(pixel.fault)));
         }
         if (totals_.audit.wrong == 0) return;
-        const bool by_bounds = scene_.surface.isolation.method == scene::Method::affine;
+        const bool by_bounds = scene_.surfaces.front().isolation.method == scene::Method::affine;
         warn(fmt::format("the picture is wrong in places; --method {} goes by bounds alone",
                          scene::name(by_bounds ? scene::Method::interval : scene::Method::affine)));
     }
@@ -381,8 +380,7 @@ Exporter::Exporter(scene::Scene scene, ExportOptions options)
 }
 
 void Exporter::choose(std::span<const scene::Isolation> settings) {
-    for (std::size_t k = 0; k < settings.size(); ++k)
-        scene::nth_surface(scene_, k).surface.isolation = settings[k];
+    for (std::size_t k = 0; k < settings.size(); ++k) scene_.surfaces[k].isolation = settings[k];
 }
 
 void Exporter::make_folders() const {

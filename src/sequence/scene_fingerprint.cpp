@@ -31,33 +31,33 @@ void add(Fingerprint& print, const scene::Output& output) {
     }
 }
 
-} // namespace
-
-std::string scene_fingerprint(const scene::Scene& scene) {
-    const animation::Animation& animation = scene.surface.animation;
+// A surface with the settings that all share. `effects`: of the surface, or of all.
+Fingerprint print_of(const scene::OneSurface& one, std::span<const synthesis::Effect> effects) {
+    const auto& [scene, surface, index] = one;
+    const animation::Animation& animation = surface.animation;
     Fingerprint print;
-    print.add("isomotion scene 1").add(scene.title).add(scene.surface.field->text);
+    print.add("isomotion scene 1").add(scene.title).add(surface.field->text);
     print.add(animation::to_string(scene.timeline.fps)).add(std::to_string(animation.seed()));
     for (const animation::Track& track : animation.tracks()) scene::add(print, track);
     for (std::size_t a = 0; a < animation.arrays().size(); ++a)
         scene::add_array(print, animation, a);
-    for (const synthesis::Effect effect : synthesis::effects(scene))
-        print.add(synthesis::name(effect));
-    print.add(std::to_string(int(scene.surface.bounds.shape)));
-    add(print, scene.surface.isolation);
+    for (const synthesis::Effect effect : effects) print.add(synthesis::name(effect));
+    print.add(std::to_string(int(surface.bounds.shape)));
+    add(print, surface.isolation);
     add_numbers(print, {double(scene.camera.projection), scene.camera.shutter});
     for (const scene::Light& light : scene.lights) {
         add_numbers(print, {double(light.is_point), double(light.shadow), double(light.headlight)});
         if (light.with_camera) print.add("with the camera");
     }
-    if (const auto& paint = scene.surface.material.paint) {
+    const scene::Material& material = surface.material;
+    if (const auto& paint = material.paint) {
         print.add(paint->value->text);
         add_numbers(print, {double(paint->map)});
         if (paint->shown) add_numbers(print, {paint->shown->least, paint->shown->most});
     }
-    if (const auto& color = scene.surface.material.color_by_place) print.add(color->text);
-    if (const auto& contours = scene.surface.material.contours) print.add(contours->value->text);
-    if (const auto& glass = scene.surface.material.glass) {
+    if (const auto& color = material.color_by_place) print.add(color->text);
+    if (const auto& contours = material.contours) print.add(contours->value->text);
+    if (const auto& glass = material.glass) {
         add_numbers(print, {double(glass->depth)});
         if (glass->priority != 0) add_numbers(print, {double(glass->priority)});
     }
@@ -66,8 +66,17 @@ std::string scene_fingerprint(const scene::Scene& scene) {
         add_numbers(print, {double(scene.environment->background)});
     }
     add(print, scene.output);
-    for (const scene::Scene& other : scene.others)
-        print.add(other.surface.label).add(scene_fingerprint(other));
+    return print;
+}
+
+} // namespace
+
+std::string scene_fingerprint(const scene::Scene& scene) {
+    Fingerprint print = print_of({scene, 0}, synthesis::effects(scene));
+    for (std::size_t k = 1; k < scene.surfaces.size(); ++k) {
+        const scene::OneSurface one(scene, k);
+        print.add(one.surface.label).add(print_of(one, synthesis::effects(one)).text());
+    }
     return print.text();
 }
 

@@ -38,7 +38,7 @@ struct Drawing {
     std::int64_t pixels = 0;    // of a picture, as far as is known
 };
 
-Passes assemble(const scene::Scene& scene, const std::vector<Channel>& channels = {},
+Passes assemble(const scene::OneSurface& one, const std::vector<Channel>& channels = {},
                 const Drawing& drawing = {});
 
 } // namespace isomotion::synthesis

@@ -115,7 +115,7 @@ void add_copies_of_ray(ShaderText& text, const Passes& passes) {
     text.file("march/copies_of_ray.glsl");
 }
 
-Pass beam_copies_pass(const scene::Scene& scene, const Passes& passes, int level) {
+Pass beam_copies_pass(const scene::OneSurface& one, const Passes& passes, int level) {
     const BeamLevel& beam = passes.beams[std::size_t(level)];
     ShaderText text;
     text.define("LEVEL", level);
@@ -123,7 +123,7 @@ Pass beam_copies_pass(const scene::Scene& scene, const Passes& passes, int level
     text.define("LISTS_OF_A_BLOCK", lists_of_a_block(beam));
     text.define("SLOTS", slots(passes, level));
     text.define("MASK_TEXELS", texels_of_a_mask(passes));
-    add_field(text, *scene.surface.field, storage_at_level(passes, level), {});
+    add_field(text, *one.surface.field, storage_at_level(passes, level), {});
     if (level > 0) {
         add_larger(text, passes, level);
         text.file("march/copy_of_copies.glsl");

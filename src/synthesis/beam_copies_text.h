@@ -35,6 +35,6 @@ void add_copies_of_parent(ShaderText& text, const Passes& passes, int level);
 void add_copies_of_ray(ShaderText& text, const Passes& passes);
 
 // Copies the elements that the bits of a level tell.
-Pass beam_copies_pass(const scene::Scene& scene, const Passes& passes, int level);
+Pass beam_copies_pass(const scene::OneSurface& one, const Passes& passes, int level);
 
 } // namespace isomotion::synthesis

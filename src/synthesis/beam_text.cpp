@@ -43,11 +43,11 @@ void add_bounds_of_sum(ShaderText& text, const formula::Field& field, const Fiel
 }
 
 // Adds boxes around pieces of beams, within those of `parent` if it is not null.
-void add_boxes(ShaderText& text, const scene::Scene& scene, const Passes& passes,
+void add_boxes(ShaderText& text, const scene::OneSurface& one, const Passes& passes,
                const BeamLevel* parent) {
     text.generated("generated: least and most tau, the shortest piece; rounding, a length",
                    "uniform vec4 beam;\n");
-    const bool box = scene.surface.bounds.shape == scene::Bounds::Shape::box;
+    const bool box = one.surface.bounds.shape == scene::Bounds::Shape::box;
     text.file(box ? "march/beam_box.glsl" : "march/beam_sphere.glsl");
     text.file("march/beam_way.glsl");
     if (parent && has_copies(passes)) {
@@ -101,8 +101,8 @@ void declare_results(ShaderText& text, Stage stage, std::span<const std::string_
     text.generated("generated: what a beam's shader finds", declared);
 }
 
-Pass beam_pass_by_intervals(const scene::Scene& scene, const Passes& passes, int level) {
-    const formula::Field& field = *scene.surface.field;
+Pass beam_pass_by_intervals(const scene::OneSurface& one, const Passes& passes, int level) {
+    const formula::Field& field = *one.surface.field;
     const BeamLevel& beam = passes.beams[std::size_t(level)];
     // The beams that these lie in.
     const BeamLevel* parent = level > 0 ? &beam - 1 : nullptr;
@@ -142,8 +142,8 @@ Pass beam_pass_by_intervals(const scene::Scene& scene, const Passes& passes, int
             add_masks(text, passes);
     }
     text.file_of_stage("frame.glsl", "stage/frame.glsl");
-    add_boxes(text, scene, passes, parent);
-    add_sections_over_boxes(text, scene);
+    add_boxes(text, one, passes, parent);
+    add_sections_over_boxes(text, one.scene);
     if (makes_lists) text.file("march/beam_list.glsl");
     text.file("march/beam_by_intervals.glsl");
     text.file_of_stage("stage/beam.frag", "stage/beam.comp");
@@ -152,19 +152,19 @@ Pass beam_pass_by_intervals(const scene::Scene& scene, const Passes& passes, int
     return pass;
 }
 
-Pass beam_pass_by_models(const scene::Scene& scene, const Passes& passes, int level) {
+Pass beam_pass_by_models(const scene::OneSurface& one, const Passes& passes, int level) {
     const BeamLevel& beam = passes.beams[std::size_t(level)];
     ShaderText text(passes.stage);
     declare_results(text, passes.stage, std::array<std::string_view, 2>{"part", "roots"});
     define_blocks(text, beam);
-    if (scene.surface.isolation.certify) text.define("BOTH_ENDS", 1);
-    add_enclosures(text, *scene.surface.field, passes, {});
-    add_piece_models(text, *scene.surface.field, "models/block.glsl");
+    if (one.surface.isolation.certify) text.define("BOTH_ENDS", 1);
+    add_enclosures(text, *one.surface.field, passes, {});
+    add_piece_models(text, *one.surface.field, "models/block.glsl");
     text.file_of_stage("frame.glsl", "stage/frame.glsl");
-    add_boxes(text, scene, passes, level > 0 ? &beam - 1 : nullptr);
+    add_boxes(text, one, passes, level > 0 ? &beam - 1 : nullptr);
     text.file("models/piece_of_block.glsl");
     text.define("BOUNDS_ROUNDING", "beam.w");
-    add_inside_bounds(text, scene);
+    add_inside_bounds(text, one);
     text.file("models/box_within_bounds.glsl");
     text.file("march/beam_by_models.glsl");
     text.file_of_stage("stage/beam.frag", "stage/beam.comp");
@@ -187,26 +187,24 @@ void define_blocks(ShaderText& text, const BeamLevel& beam) {
     text.file("march/beam_place.glsl");
 }
 
-bool uses_beams(const scene::Scene& scene) {
-    return scene.surface.isolation.beam.value_or(scene.surface.isolation.method ==
-                                                     scene::Method::hermite &&
-                                                 bounds_pay(*scene.surface.field));
+bool uses_beams(const scene::OneSurface& one) {
+    return one.surface.isolation.beam.value_or(
+        one.surface.isolation.method == scene::Method::hermite && bounds_pay(*one.surface.field));
 }
 
-Pass beam_pass(const scene::Scene& scene, const Passes& passes, int level) {
-    if (passes.beams[std::size_t(level)].by_models)
-        return beam_pass_by_models(scene, passes, level);
-    return beam_pass_by_intervals(scene, passes, level);
+Pass beam_pass(const scene::OneSurface& one, const Passes& passes, int level) {
+    if (passes.beams[std::size_t(level)].by_models) return beam_pass_by_models(one, passes, level);
+    return beam_pass_by_intervals(one, passes, level);
 }
 
-bool can_settle_blocks(const scene::Scene& scene, int finest) {
+bool can_settle_blocks(const scene::OneSurface& one, int finest) {
     // Between two waves of a longer polynomial no block of 8 pixels lies in a usual picture, and
     // models of more products cost more than they save.
-    const int most = bounds_pay(*scene.surface.field) ? 10 : 8;
-    const int degree = formula::modelled_degree(*scene.surface.field);
-    return scene.surface.isolation.method == scene::Method::hermite &&
-           scene.surface.isolation.beam.value_or(true) && scene.sections.empty() &&
-           !is_among(scene) && degree > 0 && degree <= most && finest > 1;
+    const int most = bounds_pay(*one.surface.field) ? 10 : 8;
+    const int degree = formula::modelled_degree(*one.surface.field);
+    return one.surface.isolation.method == scene::Method::hermite &&
+           one.surface.isolation.beam.value_or(true) && one.scene.sections.empty() &&
+           one.is_alone() && degree > 0 && degree <= most && finest > 1;
 }
 
 bool lies_in_beams(const Passes& passes, int block) {
@@ -219,9 +217,9 @@ void define_parent(ShaderText& text, const BeamLevel& parent) {
     text.define("PARENT_SQUARE_BITS", parent.square_bits);
 }
 
-void add_beam_of_block(ShaderText& text, const scene::Scene& scene, const Passes& passes,
+void add_beam_of_block(ShaderText& text, const scene::OneSurface& one, const Passes& passes,
                        int block) {
-    add_boxes(text, scene, passes, lies_in_beams(passes, block) ? &passes.beams.back() : nullptr);
+    add_boxes(text, one, passes, lies_in_beams(passes, block) ? &passes.beams.back() : nullptr);
 }
 
 void add_light_beams(ShaderText& text, const Passes& passes) {

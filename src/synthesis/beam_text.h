@@ -12,14 +12,14 @@ inline constexpr int beam_square = 64;
 
 // Whether a scene's rays use beams: as the scene states, otherwise with the method hermite if
 // bounds of the field cost less than they save. In compute shaders assemble() asks for more.
-bool uses_beams(const scene::Scene& scene);
+bool uses_beams(const scene::OneSurface& one);
 
 // Adds where the results of a level of beams lie.
 void define_blocks(ShaderText& text, const BeamLevel& beam);
 
 // Whether beams by models can tell where the first roots of a scene's rays are: those of a
 // polynomial of low degree without sections, by the method hermite.
-bool can_settle_blocks(const scene::Scene& scene, int finest);
+bool can_settle_blocks(const scene::OneSurface& one, int finest);
 
 // Whether the last level does.
 inline bool settles_blocks(const Passes& passes) {
@@ -30,7 +30,7 @@ inline bool settles_blocks(const Passes& passes) {
 std::vector<BeamLevel> beam_levels(const FieldStorage& storage, int finest);
 // The one that settles blocks, in those of intervals where there are some.
 BeamLevel level_by_models(int finest);
-Pass beam_pass(const scene::Scene& scene, const Passes& passes, int level);
+Pass beam_pass(const scene::OneSurface& one, const Passes& passes, int level);
 
 // Adds the code that determines where rays begin and end: by the last level of beams, or at the
 // bounds. Call it after the ray's own text.
@@ -46,7 +46,7 @@ bool lies_in_beams(const Passes& passes, int block);
 void define_parent(ShaderText& text, const BeamLevel& parent);
 
 // Adds boxes around the beams of blocks of `block` pixels, which lie in those of the last level.
-void add_beam_of_block(ShaderText& text, const scene::Scene& scene, const Passes& passes,
+void add_beam_of_block(ShaderText& text, const scene::OneSurface& one, const Passes& passes,
                        int block);
 
 // Adds the code that determines where shadow rays begin, by the last level of beams from the

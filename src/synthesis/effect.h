@@ -41,7 +41,7 @@ struct EffectTraits {
     Effect effect;
     std::string_view name;
     std::string_view summary; // with the key that enables it
-    bool (*is_called)(const scene::Scene&);
+    bool (*is_called)(const scene::OneSurface&);
     // Changes a scene so that it does not use the effect.
     void (*drop)(scene::Scene&);
     // Whether the ends of rays must be kept, since further rays or light start there.
@@ -50,7 +50,7 @@ struct EffectTraits {
     // shaders/effects/ with that part; either may be empty.
     std::string_view kernel = {}, file = {};
     // Adds its values at a time, under the names that its files declare; or null.
-    void (*add_uniforms)(const scene::Scene&, const scene::SceneAt&, Uniforms&) = nullptr;
+    void (*add_uniforms)(const scene::OneSurface&, const scene::OneSurfaceAt&, Uniforms&) = nullptr;
 };
 
 // All of them, in the order of the enumeration.
@@ -58,15 +58,16 @@ std::span<const EffectTraits> effect_traits();
 const EffectTraits& traits(Effect effect);
 inline std::string_view name(Effect effect) { return traits(effect).name; }
 
-// The effects that a scene uses, in that order.
+// The effects that a scene uses, or one of its surfaces, in that order.
 std::vector<Effect> effects(const scene::Scene& scene);
+std::vector<Effect> effects(const scene::OneSurface& one);
 // The scene without the effect.
 scene::Scene without(Effect effect, scene::Scene scene);
 // Whether an effect that the scene calls for needs the ends of rays.
-bool calls_for_ends(const scene::Scene& scene);
+bool calls_for_ends(const scene::OneSurface& one);
 // Whether passes may need the ends of rays: several surfaces need them, too.
-bool keeps_surfaces(const scene::Scene& scene);
-// The plain uniforms of the scene's effects.
-Uniforms effect_uniforms(const scene::Scene& scene, const scene::SceneAt& now);
+bool keeps_surfaces(const scene::OneSurface& one);
+// The plain uniforms of the surface's effects.
+Uniforms effect_uniforms(const scene::OneSurface& one, const scene::OneSurfaceAt& now);
 
 } // namespace isomotion::synthesis

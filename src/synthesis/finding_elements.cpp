@@ -9,8 +9,6 @@
 
 #include "formula/element_kernels.h"
 #include "formula/linear_sum.h"
-#include "scene/nth_surface.h"
-#include "scene/surfaces.h"
 #include "synthesis/assemble.h"
 #include "synthesis/beam_text.h"
 #include "synthesis/effect.h"
@@ -26,14 +24,14 @@ constexpr int most_by_lists = 500;
 constexpr int most_in_beams_of_a_page = 24;
 
 // Whether rays ask for bounds of F over pieces of them.
-bool goes_by_bounds(const scene::Scene& scene) {
-    switch (scene.surface.isolation.method) {
+bool goes_by_bounds(const scene::OneSurface& one) {
+    switch (one.surface.isolation.method) {
     case scene::Method::interval:
     case scene::Method::affine:
     case scene::Method::sphere:
         return true;
     case scene::Method::hermite:
-        return !scene.surface.smoothness.is_smooth();
+        return !one.surface.smoothness.is_smooth();
     default:
         return false;
     }
@@ -42,34 +40,33 @@ bool goes_by_bounds(const scene::Scene& scene) {
 // The array with the most elements, if its sums' terms are kernels of a distance and looking for
 // them pays. A scene that calls beams off looks at all elements, and so do the paper's methods, as
 // far as a shader can.
-std::optional<int> array_to_find_by_place(const scene::Scene& scene, std::span<const int> counts,
+std::optional<int> array_to_find_by_place(const scene::OneSurface& one, std::span<const int> counts,
                                           Platform platform) {
     constexpr int fewest_on_desktops = 64, most_in_a_shader = 20'000;
     const int fewest = platform == Platform::webgl ? most_in_beams_of_a_page : fewest_on_desktops;
     if (counts.empty()) return std::nullopt;
     const int array = int(std::ranges::max_element(counts) - counts.begin());
     const int count = counts[std::size_t(array)];
-    const bool looks_at_all = scene.surface.isolation.beam == false;
-    const bool is_hermite = scene.surface.isolation.method == scene::Method::hermite;
+    const bool looks_at_all = one.surface.isolation.beam == false;
+    const bool is_hermite = one.surface.isolation.method == scene::Method::hermite;
     // Bounds over a box take all other arrays in each of its cells, of which a draw has
     // MOST_ELEMENTS at most (field_text.cpp): proofs come to boxes of two cells, marches by bounds
     // need some eight.
     constexpr int most_of_others = 2000, most_by_bounds = 500;
     const int others = std::accumulate(counts.begin(), counts.end(), 0) - count;
-    if (others > most_of_others && scene.surface.isolation.certify) return std::nullopt;
-    if (others > most_by_bounds && goes_by_bounds(scene)) return std::nullopt;
+    if (others > most_of_others && one.surface.isolation.certify) return std::nullopt;
+    if (others > most_by_bounds && goes_by_bounds(one)) return std::nullopt;
     const int from = looks_at_all ? most_in_a_shader : is_hermite ? fewest : most_by_lists;
-    if (count <= from || !formula::element_kernels(*scene.surface.field, array))
-        return std::nullopt;
+    if (count <= from || !formula::element_kernels(*one.surface.field, array)) return std::nullopt;
     return array;
 }
 
 // Whether beams may keep lists of array 0.
-bool may_keep_lists(const scene::Scene& scene, std::span<const int> counts) {
+bool may_keep_lists(const scene::OneSurface& one, std::span<const int> counts) {
     // With more elements than most the loops of a beam's shader might end too soon (beam_text.cpp).
     constexpr int fewest = 9, most = 15'000;
-    return uses_beams(scene) && !counts.empty() && counts[0] >= fewest && counts[0] <= most &&
-           formula::linear_sum(*scene.surface.field).has_value();
+    return uses_beams(one) && !counts.empty() && counts[0] >= fewest && counts[0] <= most &&
+           formula::linear_sum(*one.surface.field).has_value();
 }
 
 // Pixels along a side from which on lists are faster; 0 if nothing is known of the crowd.
@@ -80,51 +77,50 @@ bool may_keep_lists(const scene::Scene& scene, std::span<const int> counts) {
 // boxes of several cells. The factors are from families of soft balls, 75 to 2000 of several sizes,
 // in pictures of 64 to 512 pixels a side (tests/bench/lists_or_grid.py), in fragment shaders; the
 // compute stage is for hardware, where none was measured.
-double side_for_lists(const scene::Scene& scene, int count, Stage stage) {
-    if (!scene.surface.elements_at_a_place || scene.surface.isolation.certify ||
-        scene.surface.isolation.method != scene::Method::hermite || stage != Stage::fragment)
+double side_for_lists(const scene::OneSurface& one, int count, Stage stage) {
+    if (!one.surface.elements_at_a_place || one.surface.isolation.certify ||
+        one.surface.isolation.method != scene::Method::hermite || stage != Stage::fragment)
         return 0;
-    const double at_a_place = *scene.surface.elements_at_a_place;
+    const double at_a_place = *one.surface.elements_at_a_place;
     const double merging = std::min(1.0, 30 / at_a_place);
-    return merging * count *
-           (goes_by_bounds(scene) ? 6 / (at_a_place + 3) : 41 / (at_a_place + 10));
+    return merging * count * (goes_by_bounds(one) ? 6 / (at_a_place + 3) : 41 / (at_a_place + 10));
 }
 
-bool is_faster_by_place(const scene::Scene& scene, int count, const Drawing& drawing) {
-    if (scene.surface.isolation.beam == true) return false;
-    const double side = drawing.pixels > 0 ? side_for_lists(scene, count, drawing.stage) : 0;
+bool is_faster_by_place(const scene::OneSurface& one, int count, const Drawing& drawing) {
+    if (one.surface.isolation.beam == true) return false;
+    const double side = drawing.pixels > 0 ? side_for_lists(one, count, drawing.stage) : 0;
     return side > 0 ? double(drawing.pixels) < side * side : count > most_by_lists;
 }
 
 } // namespace
 
-FieldStorage storage_of_elements(const scene::Scene& scene, const Drawing& drawing,
+FieldStorage storage_of_elements(const scene::OneSurface& one, const Drawing& drawing,
                                  bool keeps_copies) {
     const bool on_web = drawing.platform == Platform::webgl;
-    const std::vector<int> counts = scene.surface.animation.counts();
-    const auto by_place = array_to_find_by_place(scene, counts, drawing.platform);
+    const std::vector<int> counts = one.surface.animation.counts();
+    const auto by_place = array_to_find_by_place(one, counts, drawing.platform);
     Finding finding;
     // Rays that begin on a surface have no beams there, and find elements faster by place.
-    finding.by_copies = keeps_copies && on_web && !keeps_surfaces(scene) &&
+    finding.by_copies = keeps_copies && on_web && !keeps_surfaces(one) &&
                         by_place.value_or(0) == 0 && !counts.empty() && counts[0] <= most_in_copies;
     const bool keeps_lists = (drawing.writes_buffers && !on_web) || finding.by_copies;
     finding.by_lists =
-        keeps_lists && may_keep_lists(scene, counts) &&
-        !(by_place && is_faster_by_place(scene, counts[std::size_t(*by_place)], drawing));
+        keeps_lists && may_keep_lists(one, counts) &&
+        !(by_place && is_faster_by_place(one, counts[std::size_t(*by_place)], drawing));
     if (!finding.by_lists) finding.by_place = by_place;
-    return field_storage(*scene.surface.field, scene.surface.parameters, counts, finding);
+    return field_storage(*one.surface.field, one.surface.parameters, counts, finding);
 }
 
 std::vector<std::int64_t> sizes_of_change(const scene::Scene& scene, const Drawing& drawing) {
     std::vector<std::int64_t> sizes;
     if (!drawing.writes_buffers || drawing.platform == Platform::webgl) return sizes;
-    for (int k = 0; k < int(scene::surface_count(scene)); ++k) {
-        const scene::Scene surface = scene::of_surface(scene, k);
-        const std::vector<int> counts = surface.surface.animation.counts();
-        const auto by_place = array_to_find_by_place(surface, counts, drawing.platform);
-        if (!by_place || surface.surface.isolation.beam == true || !may_keep_lists(surface, counts))
+    for (std::size_t k = 0; k < scene.surfaces.size(); ++k) {
+        const scene::OneSurface one(scene, k);
+        const std::vector<int> counts = one.surface.animation.counts();
+        const auto by_place = array_to_find_by_place(one, counts, drawing.platform);
+        if (!by_place || one.surface.isolation.beam == true || !may_keep_lists(one, counts))
             continue;
-        const double side = side_for_lists(surface, counts[std::size_t(*by_place)], drawing.stage);
+        const double side = side_for_lists(one, counts[std::size_t(*by_place)], drawing.stage);
         if (side > 0) sizes.push_back(std::int64_t(std::ceil(side * side)));
     }
     return sizes;

@@ -12,7 +12,7 @@
 namespace isomotion::synthesis {
 
 // `keeps_copies`: where shaders can write no lists, these may be copies.
-FieldStorage storage_of_elements(const scene::Scene& scene, const Drawing& drawing,
+FieldStorage storage_of_elements(const scene::OneSurface& one, const Drawing& drawing,
                                  bool keeps_copies);
 
 // Numbers of pixels from which on pictures have other shaders than below, since beams are wider in

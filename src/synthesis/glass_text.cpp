@@ -51,11 +51,11 @@ void add_way_through(ShaderText& text, const scene::Scene& scene) {
     text.file("glass/store_path.glsl");
 }
 
-Pass first_pass(const scene::Scene& scene, const Passes& passes) {
+Pass first_pass(const scene::OneSurface& one, const Passes& passes) {
     ShaderText text;
-    text.define("LIGHTS", int(scene.lights.size()));
-    add_field(text, *scene.surface.field, passes, {FieldFunction::value});
-    add_ray(text, scene);
+    text.define("LIGHTS", int(one.scene.lights.size()));
+    add_field(text, *one.surface.field, passes, {FieldFunction::value});
+    add_ray(text, one);
     text.file("shade/shading.glsl");
     text.file("effects/surface_point.glsl");
     text.file("effects/load_surface.glsl");
@@ -63,27 +63,27 @@ Pass first_pass(const scene::Scene& scene, const Passes& passes) {
     text.generated(
         "generated: no ray ends here",
         "vec3 surface_gradient(RayState s, vec3 position) {\n    return vec3(0.0);\n}\n");
-    add_way_through(text, scene);
-    const bool is_ggx = scene.surface.material.model == Model::ggx;
+    add_way_through(text, one.scene);
+    const bool is_ggx = one.surface.material.model == Model::ggx;
     text.generated("generated: how much goes in",
-                   (is_ggx ? "uniform vec4 gloss;\n" : "") + transmission(scene));
+                   (is_ggx ? "uniform vec4 gloss;\n" : "") + transmission(one));
     text.file("glass/first.frag");
     return std::move(text).pass(Role::glass_first, "glass first", When::once_a_tile);
 }
 
-Pass next_pass(const scene::Scene& scene, const Passes& passes) {
+Pass next_pass(const scene::OneSurface& one, const Passes& passes) {
     ShaderText text;
-    text.define("LIGHTS", int(scene.lights.size()));
+    text.define("LIGHTS", int(one.scene.lights.size()));
     std::vector<FieldFunction> functions{FieldFunction::value};
     if (!passes.march_takes_gradient) functions.push_back(FieldFunction::gradient);
-    add_field(text, *scene.surface.field, passes, functions);
-    add_ray(text, scene, Origin::glass);
+    add_field(text, *one.surface.field, passes, functions);
+    add_ray(text, one, Origin::glass);
     text.file("shade/shading.glsl");
     text.file("effects/surface_point.glsl");
-    add_gradient_of_rest(text, scene,
+    add_gradient_of_rest(text, one.scene,
                          passes.march_takes_gradient ? "shade/gradient_from_state.glsl"
                                                      : "shade/gradient_from_field.glsl");
-    add_way_through(text, scene);
+    add_way_through(text, one.scene);
     text.file("glass/next.frag");
     return std::move(text).pass(Role::glass_next, "glass next", When::until_rays_end);
 }
@@ -95,10 +95,10 @@ Pass path_pass(Role role, const char* name, const char* file) {
     return pass_over_paths(std::move(text), role, name, file);
 }
 
-Pass ground_pass(const scene::Scene& scene) {
+Pass ground_pass(const scene::OneSurface& one) {
     ShaderText text;
     text.file("math/bits.glsl");
-    add_ray(text, scene);
+    add_ray(text, one);
     text.file("effects/surface_point.glsl");
     text.file("effects/load_surface.glsl");
     text.file("effects/store_surface.glsl");
@@ -110,15 +110,15 @@ Pass ground_pass(const scene::Scene& scene) {
 
 } // namespace
 
-std::string beside_reflection(const scene::Scene& scene) {
-    const bool matt = scene.surface.material.model == Model::lambert;
+std::string beside_reflection(const scene::OneSurface& one) {
+    const bool matt = one.surface.material.model == Model::lambert;
     return fmt::format("float beside_reflection(float reflected) {{\n    return {};\n}}\n",
                        matt ? "1.0 - reflected" : "1.0");
 }
 
-std::string transmission(const scene::Scene& scene) {
+std::string transmission(const scene::OneSurface& one) {
     // Metal lets no light in.
-    const bool is_ggx = scene.surface.material.model == Model::ggx;
+    const bool is_ggx = one.surface.material.model == Model::ggx;
     return fmt::format("float transmission() {{\n    return glass.x{};\n}}\n",
                        is_ggx ? " * (1.0 - gloss.y)" : "");
 }
@@ -145,8 +145,8 @@ void add_surroundings(ShaderText& text, const scene::Scene& scene) {
                    "    return around(direction);\n}\n");
 }
 
-bool shows_shadows_through_glass(const scene::Scene& scene) {
-    return has_glass(scene) && scene.ground && shadow_mask(scene) != 0;
+bool shows_shadows_through_glass(const scene::OneSurface& one) {
+    return has_glass(one) && one.scene.ground && shadow_mask(one.scene) != 0;
 }
 
 void add_glass_ray(ShaderText& text) {
@@ -155,30 +155,31 @@ void add_glass_ray(ShaderText& text) {
     text.file("glass/ray.glsl");
 }
 
-void add_matter(ShaderText& text, const scene::Scene& scene) {
+void add_matter(ShaderText& text, const scene::OneSurface& one) {
     text.file("glass/path.glsl");
     text.file("glass/matter.glsl");
     text.file("glass/refraction.glsl");
     text.generated("generated: the part of what is matt that is as without glass", opaque_part());
-    if (scene.surface.material.model == Model::ggx) text.file("glass/matt_ggx.glsl");
+    if (one.surface.material.model == Model::ggx) text.file("glass/matt_ggx.glsl");
 }
 
-void add_seen_through_glass(ShaderText& text, const scene::Scene& scene) {
-    if (scene.ground) {
-        if (shows_shadows_through_glass(scene)) {
+void add_seen_through_glass(ShaderText& text, const scene::OneSurface& one) {
+    if (one.scene.ground) {
+        if (shows_shadows_through_glass(one)) {
             text.file("glass/ground_shadow.glsl");
         } else {
             text.generated("generated: no shadows", all_arrives);
         }
         text.file("glass/ground_ahead.glsl");
-        add_ground_light(text, scene);
+        add_ground_light(text, one.scene);
     }
     text.generated(
         "generated: what is seen through glass",
-        beside_reflection(scene) +
+        beside_reflection(one) +
             fmt::format("vec3 ground_through_glass(Path path) {{\n    return {};\n}}\n",
-                        scene.ground ? "ground_light(path.position, ground_normal(path.direction))"
-                                     : "vec3(0.0)"));
+                        one.scene.ground
+                            ? "ground_light(path.position, ground_normal(path.direction))"
+                            : "vec3(0.0)"));
     text.file("glass/seen.glsl");
 }
 
@@ -187,15 +188,15 @@ Pass pass_over_paths(ShaderText text, Role role, const char* name, const char* f
     return std::move(text).pass(role, name, When::until_rays_end, cover);
 }
 
-std::vector<Pass> glass_passes(const scene::Scene& scene, const Passes& passes) {
+std::vector<Pass> glass_passes(const scene::OneSurface& one, const Passes& passes) {
     std::vector<Pass> all;
-    all.push_back(first_pass(scene, passes));
-    all.push_back(march_pass(scene, passes, Origin::glass, When::until_rays_end));
-    all.push_back(next_pass(scene, passes));
+    all.push_back(first_pass(one, passes));
+    all.push_back(march_pass(one, passes, Origin::glass, When::until_rays_end));
+    all.push_back(next_pass(one, passes));
     all.push_back(path_pass(Role::glass_copy, "glass copy", "glass/copy.frag"));
     all.push_back(path_pass(Role::glass_mask, "glass mask", "glass/mask.frag"));
     all.push_back(path_pass(Role::glass_active, "glass active", "glass/active.frag"));
-    if (shows_shadows_through_glass(scene)) all.push_back(ground_pass(scene));
+    if (shows_shadows_through_glass(one)) all.push_back(ground_pass(one));
     return all;
 }
 

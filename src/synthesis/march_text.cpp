@@ -26,16 +26,16 @@ void add_files(ShaderText& text, std::span<const std::string_view> names) {
 }
 
 // Whether cubics have to look out for places where F isn't smooth.
-bool meets_rough_places(const scene::Scene& scene) {
-    return scene.surface.isolation.method == scene::Method::hermite &&
-           !scene.surface.smoothness.is_smooth();
+bool meets_rough_places(const scene::OneSurface& one) {
+    return one.surface.isolation.method == scene::Method::hermite &&
+           !one.surface.smoothness.is_smooth();
 }
 
 // Whether bounds of F judge where cubics take it for 0 without a change of sign. Where F isn't
 // smooth, rough.glsl does that.
-bool judges_touches(const scene::Scene& scene) {
-    return scene.surface.isolation.method == scene::Method::hermite &&
-           scene.surface.smoothness.false_touches && !meets_rough_places(scene);
+bool judges_touches(const scene::OneSurface& one) {
+    return one.surface.isolation.method == scene::Method::hermite &&
+           one.surface.smoothness.false_touches && !meets_rough_places(one);
 }
 
 // The boxes in which bounds look whether F touches 0: as many as a third of a draw's loops may run
@@ -48,9 +48,9 @@ int tries_of_a_touch(const Passes& passes) {
 }
 
 // The paper's methods go all the way, as the paper has them.
-bool passes_free_cells(const scene::Scene& scene, const Passes& passes) {
+bool passes_free_cells(const scene::OneSurface& one, const Passes& passes) {
     return (array_with_grid(passes) || (passes.tapes && passes.tapes->chooses())) &&
-           scene::traits(scene.surface.isolation.method).steps == scene::Steps::cubics;
+           scene::traits(one.surface.isolation.method).steps == scene::Steps::cubics;
 }
 
 void add_way_past(ShaderText& text, const Passes& passes) {
@@ -61,12 +61,12 @@ void add_way_past(ShaderText& text, const Passes& passes) {
 }
 
 // What finds a root between two samples, or in a piece.
-void add_isolation(ShaderText& text, const scene::Scene& scene, const Passes& passes) {
-    const scene::MethodTraits& method = scene::traits(scene.surface.isolation.method);
+void add_isolation(ShaderText& text, const scene::OneSurface& one, const Passes& passes) {
+    const scene::MethodTraits& method = scene::traits(one.surface.isolation.method);
     const bool directional = passes.samples.front() == FieldFunction::directional;
     const bool bounds = method.samples == scene::Samples::value_and_bounds;
-    const bool is_rough = meets_rough_places(scene);
-    if (bounds || is_rough || judges_touches(scene)) text.file("march/piece_box.glsl");
+    const bool is_rough = meets_rough_places(one);
+    if (bounds || is_rough || judges_touches(one)) text.file("march/piece_box.glsl");
     if (bounds || is_rough) text.file("march/piece_bounds.glsl");
     if (!bounds) {
         if (passes.tapes && is_rough) add_signs_in_free_tapes(text, *passes.tapes);
@@ -76,20 +76,20 @@ void add_isolation(ShaderText& text, const scene::Scene& scene, const Passes& pa
 }
 
 // turn(), which takes a ray on by what one sample of the field tells.
-void add_turn(ShaderText& text, const scene::Scene& scene, const Passes& passes) {
-    const scene::MethodTraits& method = scene::traits(scene.surface.isolation.method);
-    const bool is_rough = meets_rough_places(scene);
+void add_turn(ShaderText& text, const scene::OneSurface& one, const Passes& passes) {
+    const scene::MethodTraits& method = scene::traits(one.surface.isolation.method);
+    const bool is_rough = meets_rough_places(one);
     if (method.samples == scene::Samples::value_and_bounds || is_rough) {
         text.file("march/finest.glsl");
         if (!is_rough) text.file("march/refine.glsl");
         const bool breaks = passes.samples.back() == FieldFunction::breaks;
-        if (breaks && scene.surface.jumps_are_walls) text.define("WALLS", 1);
+        if (breaks && one.surface.jumps_are_walls) text.define("WALLS", 1);
         text.file(breaks ? "march/breaks.glsl" : "march/no_breaks.glsl");
         text.file(is_rough ? "march/rough.glsl" : "march/touches.glsl");
     }
     if (is_rough) text.define("ROUGH", 1);
     if (passes.branches && method.steps == scene::Steps::cubics) text.define("BRANCHES", 1);
-    if (judges_touches(scene)) {
+    if (judges_touches(one)) {
         text.define("MOST_TRIES", tries_of_a_touch(passes));
         text.file("march/touch_by_bounds.glsl");
         text.define("BOUNDED_TOUCHES", 1);
@@ -100,26 +100,26 @@ void add_turn(ShaderText& text, const scene::Scene& scene, const Passes& passes)
 
 } // namespace
 
-std::vector<FieldFunction> samples_of(const scene::Scene& scene, bool march_takes_gradient) {
-    const scene::MethodTraits& method = scene::traits(scene.surface.isolation.method);
+std::vector<FieldFunction> samples_of(const scene::OneSurface& one, bool march_takes_gradient) {
+    const scene::MethodTraits& method = scene::traits(one.surface.isolation.method);
     const auto with_breaks = [&](std::vector<FieldFunction> functions) {
-        const formula::Smoothness& is = scene.surface.smoothness;
+        const formula::Smoothness& is = one.surface.smoothness;
         if (is.jumps || is.poles) functions.push_back(FieldFunction::breaks);
         return functions;
     };
     if (method.samples == scene::Samples::value_and_bounds)
         return with_breaks({FieldFunction::value, FieldFunction::directional_interval});
-    if (meets_rough_places(scene))
+    if (meets_rough_places(one))
         return with_breaks({FieldFunction::directional, FieldFunction::rough,
                             FieldFunction::directional_interval});
-    if (judges_touches(scene)) return {FieldFunction::directional, FieldFunction::value_interval};
+    if (judges_touches(one)) return {FieldFunction::directional, FieldFunction::value_interval};
     const bool value_is_enough = method.samples == scene::Samples::value && !march_takes_gradient;
     return {value_is_enough ? FieldFunction::value : FieldFunction::directional};
 }
 
-void add_ray(ShaderText& text, const scene::Scene& scene, Origin origin) {
-    const bool box = scene.surface.bounds.shape == scene::Bounds::Shape::box;
-    add_sections(text, scene);
+void add_ray(ShaderText& text, const scene::OneSurface& one, Origin origin) {
+    const bool box = one.surface.bounds.shape == scene::Bounds::Shape::box;
+    add_sections(text, one.scene);
     text.file_of_stage("frame.glsl", "stage/frame.glsl");
     text.file("march/verdict.glsl");
     text.file(box ? "march/clip_box.glsl" : "march/clip_sphere.glsl");
@@ -132,18 +132,18 @@ void add_ray(ShaderText& text, const scene::Scene& scene, Origin origin) {
                                                 : "and the path's by its",
                        "#undef pixel_ray\n");
     }
-    if (origin == Origin::glass && follows_paths(scene)) {
-        add_path_ray(text, scene);
+    if (origin == Origin::glass && follows_paths(one.scene)) {
+        add_path_ray(text, one);
     } else if (origin == Origin::glass) {
         add_glass_ray(text);
     }
     if (origin == Origin::mirror) {
         text.file("effects/surface_point.glsl");
-        add_load_surface(text, scene);
-        add_mirror_ray(text, scene);
+        add_load_surface(text, one);
+        add_mirror_ray(text, one);
     }
     text.file("march/state.glsl");
-    add_parts(text, scene);
+    add_parts(text, one.scene);
 }
 
 void define_state(ShaderText& text, const Passes& passes) {
@@ -153,22 +153,22 @@ void define_state(ShaderText& text, const Passes& passes) {
 // Whether the first sample of a march tells the sign of F where the ray begins, and the last one
 // where it leaves: then caps take no sample of their own. Breaks and free cells leave other values
 // in a ray's state.
-bool samples_tell_caps(const scene::Scene& scene, const Passes& passes) {
-    const scene::MethodTraits& method = scene::traits(scene.surface.isolation.method);
-    if (passes_free_cells(scene, passes)) return false;
+bool samples_tell_caps(const scene::OneSurface& one, const Passes& passes) {
+    const scene::MethodTraits& method = scene::traits(one.surface.isolation.method);
+    if (passes_free_cells(one, passes)) return false;
     if (method.samples == scene::Samples::value_and_bounds)
         return passes.samples.back() != FieldFunction::breaks;
-    return method.steps == scene::Steps::cubics && !meets_rough_places(scene);
+    return method.steps == scene::Steps::cubics && !meets_rough_places(one);
 }
 
-void add_march(ShaderText& text, const scene::Scene& scene, const Passes& passes, Origin origin,
+void add_march(ShaderText& text, const scene::OneSurface& one, const Passes& passes, Origin origin,
                Draws draws) {
     const bool beam = !passes.beams.empty() && origin == Origin::eye;
     if (beam && has_lists(passes)) text.define("LISTS", 1);
-    begin_entrance(text, scene, origin);
+    begin_entrance(text, one, origin);
     add_entrance(text, passes, beam);
-    end_entrance(text, scene, origin, draws);
-    add_isolation(text, scene, passes);
+    end_entrance(text, one, origin, draws);
+    add_isolation(text, one, passes);
     text.file(passes.march_takes_gradient ? "march/gradient_at_root.glsl"
                                           : "march/end_at_root.glsl");
     if (beam && settles_blocks(passes) && draws == Draws::several) {
@@ -176,13 +176,13 @@ void add_march(ShaderText& text, const scene::Scene& scene, const Passes& passes
         add_files(text,
                   std::array<std::string_view, 4>{"beam_roots", "slab", "begin_in_slab", "newton"});
     }
-    const bool cuts = !scene.sections.empty(), tells = samples_tell_caps(scene, passes);
+    const bool cuts = !one.scene.sections.empty(), tells = samples_tell_caps(one, passes);
     if (cuts && tells) begin_turn_of_part(text);
-    add_turn(text, scene, passes);
+    add_turn(text, one, passes);
     if (cuts && tells) end_turn_of_part(text);
     if (array_with_grid(passes)) text.define("GRID", 1);
-    if (passes_free_cells(scene, passes)) add_way_past(text, passes);
-    add_march_through_parts(text, scene, "march/march.glsl", tells);
+    if (passes_free_cells(one, passes)) add_way_past(text, passes);
+    add_march_through_parts(text, one, "march/march.glsl", tells);
 }
 
 void add_settled_march(ShaderText& text, const Passes& passes) {
@@ -193,12 +193,12 @@ void add_settled_march(ShaderText& text, const Passes& passes) {
                         "settled", "turn_point", "march"});
 }
 
-Pass march_pass(const scene::Scene& scene, const Passes& passes, Origin origin, When when) {
+Pass march_pass(const scene::OneSurface& one, const Passes& passes, Origin origin, When when) {
     ShaderText text(passes.stage);
     define_state(text, passes);
-    add_field(text, *scene.surface.field, through_copies(passes), passes.samples);
-    add_ray(text, scene, origin);
-    add_march(text, scene, passes, origin);
+    add_field(text, *one.surface.field, through_copies(passes), passes.samples);
+    add_ray(text, one, origin);
+    add_march(text, one, passes, origin);
     text.file_of_stage("march/store_state.glsl", "stage/store_state.glsl");
     text.file("march/march_pixel.glsl");
     text.file_of_stage("stage/march.frag", "stage/march.comp");
@@ -206,7 +206,7 @@ Pass march_pass(const scene::Scene& scene, const Passes& passes, Origin origin, 
     case Origin::mirror:
         return std::move(text).pass(Role::mirror, "mirror", when);
     case Origin::glass:
-        return std::move(text).pass(Role::glass, "glass", when, cover_of_paths(scene));
+        return std::move(text).pass(Role::glass, "glass", when, cover_of_paths(one.scene));
     case Origin::eye:
         break;
     }
@@ -220,37 +220,37 @@ Pass active_pass(When when) {
     return std::move(text).pass(Role::active, "active", when);
 }
 
-Pass shadow_pass(const scene::Scene& scene, const Passes& passes) {
-    const scene::MethodTraits& method = scene::traits(scene.surface.isolation.method);
+Pass shadow_pass(const scene::OneSurface& one, const Passes& passes) {
+    const scene::MethodTraits& method = scene::traits(one.surface.isolation.method);
     ShaderText text(passes.stage);
     define_state(text, passes);
-    text.define("LIGHTS", int(scene.lights.size()));
-    text.define("SHADOWS", shadow_mask(scene));
+    text.define("LIGHTS", int(one.scene.lights.size()));
+    text.define("SHADOWS", shadow_mask(one.scene));
     if (passes.light_beams != 0) {
         text.define("LIGHT_BEAMS", passes.light_beams);
         if (has_lists(passes)) text.define("LISTS", 1);
     }
-    add_field(text, *scene.surface.field, passes, passes.samples);
-    add_ray(text, scene);
-    add_isolation(text, scene, passes);
+    add_field(text, *one.surface.field, passes, passes.samples);
+    add_ray(text, one);
+    add_isolation(text, one, passes);
     text.file_of_stage("march/store_state.glsl", "stage/store_state.glsl");
     text.file("shade/shading.glsl");
     text.file("shade/hit.glsl");
-    add_lights(text, scene);
+    add_lights(text, one.scene);
     text.file("effects/surface_point.glsl");
-    add_load_surface(text, scene);
+    add_load_surface(text, one);
     if (passes.light_beams != 0) add_light_beams(text, passes);
     if (method.any_hit_turns) {
         text.file("march/end_at_root.glsl");
-        add_turn(text, scene, passes);
+        add_turn(text, one, passes);
     }
     if (array_with_grid(passes)) text.define("GRID", 1);
-    if (passes_free_cells(scene, passes)) add_way_past(text, passes);
+    if (passes_free_cells(one, passes)) add_way_past(text, passes);
     text.file(fmt::format("march/{}.glsl", method.any_hit));
-    add_crossings(text, scene);
-    if (!scene.sections.empty()) text.file("section/shadow.glsl");
+    add_crossings(text, one);
+    if (!one.scene.sections.empty()) text.file("section/shadow.glsl");
     text.file("effects/hidden_lights.glsl");
-    begin_shadow_after_others(text, scene, shadow_mask(scene));
+    begin_shadow_after_others(text, one, shadow_mask(one.scene));
     text.file("effects/shadow.glsl");
     text.file_of_stage("stage/march.frag", "stage/march.comp");
     return std::move(text).pass(Role::shadow, "shadow", When::until_rays_end);

@@ -18,8 +18,8 @@ void add_piece_models(ShaderText& text, const formula::Field& field, const std::
     text.file("models/first_reach.glsl");
 }
 
-void add_inside_bounds(ShaderText& text, const scene::Scene& scene) {
-    const bool box = scene.surface.bounds.shape == scene::Bounds::Shape::box;
+void add_inside_bounds(ShaderText& text, const scene::OneSurface& one) {
+    const bool box = one.surface.bounds.shape == scene::Bounds::Shape::box;
     text.file(box ? "models/inside_box.glsl" : "models/inside_sphere.glsl");
 }
 

@@ -21,6 +21,6 @@ void add_piece_models(ShaderText& text, const formula::Field& field, const std::
                       formula::Numbers numbers = formula::Numbers::floats);
 
 // Adds inside_bounds(). Needs BOUNDS_ROUNDING, by which the bounds may be off.
-void add_inside_bounds(ShaderText& text, const scene::Scene& scene);
+void add_inside_bounds(ShaderText& text, const scene::OneSurface& one);
 
 } // namespace isomotion::synthesis

@@ -15,8 +15,8 @@ const char* file_of(scene::ColorMap map) {
 
 } // namespace
 
-const formula::Paint* painting(const scene::Scene& scene) {
-    const scene::Material& material = scene.surface.material;
+const formula::Paint* painting(const scene::OneSurface& one) {
+    const scene::Material& material = one.surface.material;
     return material.paint ? material.paint->value.get() : material.color_by_place.get();
 }
 
@@ -25,12 +25,12 @@ bool sums_all_elements(const formula::Paint& paint, const FieldStorage& storage)
     return array && !formula::weigh_like_field(paint.graph, paint.field, paint.roots, *array);
 }
 
-std::vector<GeneratedFunction> painting_functions(const scene::Scene& scene,
+std::vector<GeneratedFunction> painting_functions(const scene::OneSurface& one,
                                                   const FieldStorage& storage) {
-    const formula::Paint* paint = painting(scene);
-    const formula::ArrayPacking& packing = scene.surface.field->packing;
+    const formula::Paint* paint = painting(one);
+    const formula::ArrayPacking& packing = one.surface.field->packing;
     std::vector<GeneratedFunction> functions;
-    if (const auto& contours = scene.surface.material.contours) {
+    if (const auto& contours = one.surface.material.contours) {
         const formula::Paint& value = *contours->value;
         functions.push_back({value.text, formula::kernels_used(value.value),
                              formula::glsl_contour_value(value, packing),
@@ -42,15 +42,15 @@ std::vector<GeneratedFunction> painting_functions(const scene::Scene& scene,
                              formula::glsl_hessian(*paint->hessian, packing)});
     }
     functions.push_back({paint->text, formula::kernels_used(paint->value),
-                         scene.surface.material.paint ? formula::glsl_paint_value(*paint, packing)
-                                                      : formula::glsl_color_value(*paint, packing),
+                         one.surface.material.paint ? formula::glsl_paint_value(*paint, packing)
+                                                    : formula::glsl_color_value(*paint, packing),
                          sums_all_elements(*paint, storage)});
     return functions;
 }
 
-void add_painting(ShaderText& text, const scene::Scene& scene) {
-    const scene::Material& material = scene.surface.material;
-    text.file(painting(scene)->hessian ? "effects/curvature.glsl" : "effects/no_curvature.glsl");
+void add_painting(ShaderText& text, const scene::OneSurface& one) {
+    const scene::Material& material = one.surface.material;
+    text.file(painting(one)->hessian ? "effects/curvature.glsl" : "effects/no_curvature.glsl");
     if (material.paint) {
         text.file("effects/oklab.glsl");
         text.file(file_of(material.paint->map));

@@ -8,6 +8,8 @@
 // the path (glass_next).
 #pragma once
 
+#include <algorithm>
+
 #include "scene/scene.h"
 #include "synthesis/pass.h"
 #include "synthesis/shader_text.h"
@@ -18,7 +20,11 @@ namespace isomotion::synthesis {
 inline constexpr int most_crossings = 32;
 
 // Whether any surface among several is of glass. Then mirrored rays are rays of paths, too.
-inline bool follows_paths(const scene::Scene& scene) { return !scene.among.matters.empty(); }
+inline bool follows_paths(const scene::Scene& scene) {
+    return scene.surfaces.size() > 1 && std::ranges::any_of(scene.surfaces, [](const auto& each) {
+               return each.material.glass.has_value();
+           });
+}
 
 // What the passes of rays through glass are drawn over. Among several surfaces late rays are few.
 inline Cover cover_of_paths(const scene::Scene& scene) {
@@ -26,16 +32,16 @@ inline Cover cover_of_paths(const scene::Scene& scene) {
 }
 
 // Adds pixel_ray() for paths. Needs the eye's as eye_ray().
-void add_path_ray(ShaderText& text, const scene::Scene& scene);
+void add_path_ray(ShaderText& text, const scene::OneSurface& one);
 // Adds store_begin() to the pass that keeps where the eye's rays ended; needs store_nearest().
-void add_begin_of_path(ShaderText& text, const scene::Scene& scene);
+void add_begin_of_path(ShaderText& text, const scene::OneSurface& one);
 // Adds or_at_bounds() to the pass that keeps where rays of paths ended.
 void add_end_at_bounds(ShaderText& text);
 // For the shade pass, before and after lit(): add opaque_part() and with_path().
-void add_matter_of_surface(ShaderText& text, const scene::Scene& scene);
-void add_seen_by_path(ShaderText& text, const scene::Scene& scene);
+void add_matter_of_surface(ShaderText& text, const scene::OneSurface& one);
+void add_seen_by_path(ShaderText& text, const scene::OneSurface& one);
 
 // The passes of one surface's paths besides their march.
-std::vector<Pass> path_passes(const scene::Scene& scene, const Passes& passes);
+std::vector<Pass> path_passes(const scene::OneSurface& one, const Passes& passes);
 
 } // namespace isomotion::synthesis

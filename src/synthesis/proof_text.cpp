@@ -33,12 +33,12 @@ void add_value_models(ShaderText& text, const formula::Field& field, formula::Nu
 std::vector<FieldFunction> samples_of_block() { return {FieldFunction::directional_interval}; }
 
 // A ray and how it ended.
-void add_ended_ray(ShaderText& text, const scene::Scene& scene) {
-    const bool box = scene.surface.bounds.shape == scene::Bounds::Shape::box;
+void add_ended_ray(ShaderText& text, const scene::OneSurface& one) {
+    const bool box = one.surface.bounds.shape == scene::Bounds::Shape::box;
     text.file("frame.glsl");
     text.file("march/verdict.glsl");
     text.file(box ? "march/clip_box.glsl" : "march/clip_sphere.glsl");
-    if (!is_among(scene)) {
+    if (one.is_alone()) {
         text.file("march/ray.glsl");
         text.file("proof/ending.glsl");
         return;
@@ -80,9 +80,9 @@ std::vector<FieldFunction> samples_of_ray(const formula::Field& field, const Fie
 
 // Adds what a ray's proof begins with: the part it is of, the boxes around it, what F can be in
 // one.
-void add_proof(ShaderText& text, const scene::Scene& scene, const Passes& passes,
+void add_proof(ShaderText& text, const scene::OneSurface& one, const Passes& passes,
                ProofBounds bounds) {
-    add_ended_ray(text, scene);
+    add_ended_ray(text, one);
     if (has_lists(passes)) text.define("LISTS", 1);
     add_trimmed_ends(text, passes);
     add_entrance(text, passes, !passes.beams.empty());
@@ -93,7 +93,7 @@ void add_proof(ShaderText& text, const scene::Scene& scene, const Passes& passes
     text.file("proof/outcome.glsl");
     text.file(bounds == ProofBounds::in_doubles ? "proof/in_doubles.glsl" : "proof/in_floats.glsl");
     text.file("proof/tube.glsl");
-    add_inside_bounds(text, scene);
+    add_inside_bounds(text, one);
 }
 
 void add_value_at(ShaderText& text, ProofBounds bounds) {
@@ -133,8 +133,8 @@ void add_ray_bounds(ShaderText& text, const formula::Field& field, const Passes&
     text.file("proof/prove.glsl");
 }
 
-Pass block_proof(const scene::Scene& scene, const Passes& passes, Role role) {
-    const formula::Field& field = *scene.surface.field;
+Pass block_proof(const scene::OneSurface& one, const Passes& passes, Role role) {
+    const formula::Field& field = *one.surface.field;
     const bool by_models = goes_by_models(field, passes, ProofBounds::natural);
     const bool is_coarse = role == Role::coarse_block_proof;
     const int block = is_coarse ? coarse_proved_block : proved_block;
@@ -159,13 +159,13 @@ Pass block_proof(const scene::Scene& scene, const Passes& passes, Role role) {
     text.file("proof/block_outcome.glsl");
     if (has_lists(passes)) text.define("LISTS", 1);
     add_trimmed_ends(text, passes);
-    add_beam_of_block(text, scene, passes, block);
+    add_beam_of_block(text, one, passes, block);
     if (has_lists(passes)) text.file("proof/list_of_block.glsl");
     if (by_models) {
         text.file("models/piece_of_block.glsl");
         text.file("proof/ends_of_block.glsl");
         if (!is_coarse) {
-            add_inside_bounds(text, scene);
+            add_inside_bounds(text, one);
             text.file("models/box_within_bounds.glsl");
             text.file("proof/roots_of_block.glsl");
             if (settles_blocks(passes)) {
@@ -192,15 +192,15 @@ Pass block_mask(const Passes& passes) {
     return std::move(text).pass(Role::block_mask, "block mask", When::once_a_tile);
 }
 
-Pass first_proof(const scene::Scene& scene, const Passes& passes) {
-    const formula::Field& field = *scene.surface.field;
+Pass first_proof(const scene::OneSurface& one, const Passes& passes) {
+    const formula::Field& field = *one.surface.field;
     const bool by_models = goes_by_models(field, passes, ProofBounds::natural);
     ShaderText text;
     text.define("WHOLE_BLOCKS", 1);
     add_packed(text);
     if (by_models) {
         add_enclosures(text, field, passes, {});
-        add_proof(text, scene, passes, ProofBounds::natural);
+        add_proof(text, one, passes, ProofBounds::natural);
         add_value_models(text, field, formula::Numbers::floats);
     } else {
         const ProofBounds bounds = bounds_at_root(passes);
@@ -208,7 +208,7 @@ Pass first_proof(const scene::Scene& scene, const Passes& passes) {
         if (bounds == ProofBounds::by_gradient)
             functions.push_back(FieldFunction::gradient_interval);
         add_enclosures(text, field, passes, functions);
-        add_proof(text, scene, passes, bounds);
+        add_proof(text, one, passes, bounds);
         add_value_at(text, bounds);
     }
     text.file("proof/begun.glsl");
@@ -216,8 +216,8 @@ Pass first_proof(const scene::Scene& scene, const Passes& passes) {
     return std::move(text).pass(Role::first_proof, "first proof", When::once_a_tile);
 }
 
-Pass proof(const scene::Scene& scene, const Passes& passes, ProofBounds bounds) {
-    const formula::Field& field = *scene.surface.field;
+Pass proof(const scene::OneSurface& one, const Passes& passes, ProofBounds bounds) {
+    const formula::Field& field = *one.surface.field;
     ShaderText text;
     const bool in_doubles = bounds == ProofBounds::in_doubles;
     const auto numbers = in_doubles ? formula::Numbers::doubles : formula::Numbers::floats;
@@ -226,12 +226,12 @@ Pass proof(const scene::Scene& scene, const Passes& passes, ProofBounds bounds) 
     if (goes_by_models(field, passes, bounds)) {
         add_enclosures(text, field, passes, {}, numbers);
         add_by_place(text, passes);
-        add_proof(text, scene, passes, bounds);
+        add_proof(text, one, passes, bounds);
         add_ray_models(text, field, numbers);
     } else {
         add_enclosures(text, field, passes, samples_of_ray(field, passes, bounds), numbers);
         add_by_place(text, passes);
-        add_proof(text, scene, passes, bounds);
+        add_proof(text, one, passes, bounds);
         add_ray_bounds(text, field, passes, bounds);
     }
     text.file("proof/proof.frag");
@@ -246,11 +246,11 @@ Pass proof(const scene::Scene& scene, const Passes& passes, ProofBounds bounds) 
     return std::move(text).pass(Role::proof, "proof", When::once_a_tile);
 }
 
-Pass ending_of_surface(const scene::Scene& scene) {
+Pass ending_of_surface(const scene::OneSurface& one) {
     ShaderText text;
     text.file("math/bits.glsl");
-    add_ray(text, scene);
-    text.define("SURFACE", scene.among.index);
+    add_ray(text, one);
+    text.define("SURFACE", one.index);
     text.file("surfaces/eye_way.glsl");
     text.file("proof/ending_of_surface.frag");
     return std::move(text).pass(Role::ending, "ending", When::once_a_tile);
@@ -276,19 +276,19 @@ formula::Cost cost_of_piece(const formula::Field& field, const FieldStorage& sto
     return piece;
 }
 
-std::vector<Pass> proof_passes(const scene::Scene& scene, const Passes& passes) {
+std::vector<Pass> proof_passes(const scene::OneSurface& one, const Passes& passes) {
     std::vector<Pass> list;
-    if (is_among(scene)) list.push_back(ending_of_surface(scene));
+    if (!one.is_alone()) list.push_back(ending_of_surface(one));
     // Beams by models have proved as much.
-    if (goes_by_models(*scene.surface.field, passes, ProofBounds::natural) && !settles_blocks(passes))
-        list.push_back(block_proof(scene, passes, Role::coarse_block_proof));
+    if (goes_by_models(*one.surface.field, passes, ProofBounds::natural) && !settles_blocks(passes))
+        list.push_back(block_proof(one, passes, Role::coarse_block_proof));
     if (lies_in_beams(passes, proved_block)) list.push_back(block_mask(passes));
-    list.push_back(block_proof(scene, passes, Role::block_proof));
-    list.push_back(first_proof(scene, passes));
-    list.push_back(proof(scene, passes, ProofBounds::natural));
-    list.push_back(proof(scene, passes, ProofBounds::by_gradient));
+    list.push_back(block_proof(one, passes, Role::block_proof));
+    list.push_back(first_proof(one, passes));
+    list.push_back(proof(one, passes, ProofBounds::natural));
+    list.push_back(proof(one, passes, ProofBounds::by_gradient));
     // Tapes are run on floats alone.
-    if (!passes.tapes) list.push_back(proof(scene, passes, ProofBounds::in_doubles));
+    if (!passes.tapes) list.push_back(proof(one, passes, ProofBounds::in_doubles));
     return list;
 }
 

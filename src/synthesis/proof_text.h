@@ -28,6 +28,6 @@ formula::Cost cost_of_piece(const formula::Field& field, const FieldStorage& sto
                             ProofBounds bounds, std::span<const int> counts);
 
 // All passes of proofs; `passes` must have its beams.
-std::vector<Pass> proof_passes(const scene::Scene& scene, const Passes& passes);
+std::vector<Pass> proof_passes(const scene::OneSurface& one, const Passes& passes);
 
 } // namespace isomotion::synthesis

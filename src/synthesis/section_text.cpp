@@ -41,15 +41,15 @@ void add_sections_over_boxes(ShaderText& text, const scene::Scene& scene) {
     text.file("section/over_box.glsl");
 }
 
-void add_crossings(ShaderText& text, const scene::Scene& scene) {
-    if (scene.sections.empty()) return;
+void add_crossings(ShaderText& text, const scene::OneSurface& one) {
+    if (one.scene.sections.empty()) return;
     const bool bounds =
-        scene::traits(scene.surface.isolation.method).samples == scene::Samples::value_and_bounds;
+        scene::traits(one.surface.isolation.method).samples == scene::Samples::value_and_bounds;
     text.generated("generated: F at a place",
                    bounds ? "float field_at(vec3 p, vec3 direction) {\n    return field(p);\n}\n"
                           : "float field_at(vec3 p, vec3 direction) {\n"
                             "    return sample_field(p, direction).x;\n}\n");
-    text.define("PARTS", parts_of_a_ray(scene));
+    text.define("PARTS", parts_of_a_ray(one.scene));
     text.file("section/cross.glsl");
 }
 
@@ -62,9 +62,9 @@ void end_turn_of_part(ShaderText& text) {
     text.file("section/first_sample.glsl");
 }
 
-void add_march_through_parts(ShaderText& text, const scene::Scene& scene, const std::string& file,
-                             bool samples_tell) {
-    if (scene.sections.empty()) {
+void add_march_through_parts(ShaderText& text, const scene::OneSurface& one,
+                             const std::string& file, bool samples_tell) {
+    if (one.scene.sections.empty()) {
         text.file(file);
         return;
     }
@@ -74,10 +74,10 @@ void add_march_through_parts(ShaderText& text, const scene::Scene& scene, const 
     text.file(file);
     text.generated("and that of all by these", "#undef begin\n#undef march\n");
     if (samples_tell) {
-        text.define("PARTS", parts_of_a_ray(scene));
+        text.define("PARTS", parts_of_a_ray(one.scene));
         text.file("section/march_by_samples.glsl");
     } else {
-        add_crossings(text, scene);
+        add_crossings(text, one);
         text.file("section/march.glsl");
     }
 }
@@ -94,15 +94,15 @@ void add_gradient_of_rest(ShaderText& text, const scene::Scene& scene, const std
     text.file("section/gradient.glsl");
 }
 
-bool has_cap_color(const scene::Scene& scene) {
-    const scene::Material& material = scene.surface.material;
-    if (scene.sections.empty()) return false;
+bool has_cap_color(const scene::OneSurface& one) {
+    const scene::Material& material = one.surface.material;
+    if (one.scene.sections.empty()) return false;
     return material.cap || (material.inside && !material.paint);
 }
 
-Uniform sections_uniform(const scene::SceneAt& now) {
+Uniform sections_uniform(const scene::OneSurfaceAt& now) {
     std::vector<scene::SectionAt> local;
-    for (const scene::SectionAt& section : now.sections)
+    for (const scene::SectionAt& section : now.scene.sections)
         local.push_back(in_formula_coordinates(section, now.surface.placement));
     return {"sections", scene::packed(local)};
 }

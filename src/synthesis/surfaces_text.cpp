@@ -4,18 +4,19 @@
 
 #include <fmt/format.h>
 
+#include "scene/surfaces.h"
 #include "synthesis/paths_text.h"
 
 namespace isomotion::synthesis {
 
-bool has_mirrored_rays(const scene::Scene& scene) {
-    if (follows_paths(scene)) return false; // they are rays of paths
-    return scene.surface.material.reflection == scene::Material::Reflection::self ||
-           scene.among.mirrors != 0;
+bool has_mirrored_rays(const scene::OneSurface& one) {
+    if (follows_paths(one.scene)) return false; // they are rays of paths
+    return one.surface.material.reflection == scene::Material::Reflection::self ||
+           (!one.is_alone() && scene::mirrors(one.scene) != 0);
 }
 
-void add_load_surface(ShaderText& text, const scene::Scene& scene) {
-    if (!is_among(scene)) {
+void add_load_surface(ShaderText& text, const scene::OneSurface& one) {
+    if (one.is_alone()) {
         text.file("effects/load_surface.glsl");
         return;
     }
@@ -23,50 +24,50 @@ void add_load_surface(ShaderText& text, const scene::Scene& scene) {
                    "#define load_surface load_as_it_is\n");
     text.file("effects/load_surface.glsl");
     text.generated("load_surface() in this surface's coordinates", "#undef load_surface\n");
-    text.define("SURFACES", scene.among.count);
+    text.define("SURFACES", one.scene.surfaces.size());
     text.file("surfaces/load_moved.glsl");
 }
 
-void add_mirror_ray(ShaderText& text, const scene::Scene& scene) {
-    if (!is_among(scene)) {
+void add_mirror_ray(ShaderText& text, const scene::OneSurface& one) {
+    if (one.is_alone()) {
         text.file("effects/mirror_ray.glsl");
         return;
     }
     text.generated("mirrored rays of all pixels, renamed", "#define pixel_ray mirrored_ray\n");
     text.file("effects/mirror_ray.glsl");
     text.generated("mirrored rays of pixels that see a mirror", "#undef pixel_ray\n");
-    text.define("MIRRORS", scene.among.mirrors);
+    text.define("MIRRORS", scene::mirrors(one.scene));
     text.file("surfaces/mirror_ray.glsl");
 }
 
 namespace {
 
-bool ends_before(const scene::Scene& scene, Origin origin) {
-    return is_among(scene) && !is_first(scene) && origin != Origin::mirror;
+bool ends_before(const scene::OneSurface& one, Origin origin) {
+    return !one.is_alone() && one.index != 0 && origin != Origin::mirror;
 }
 
 } // namespace
 
-void begin_entrance(ShaderText& text, const scene::Scene& scene, Origin origin) {
-    if (!ends_before(scene, origin)) return;
+void begin_entrance(ShaderText& text, const scene::OneSurface& one, Origin origin) {
+    if (!ends_before(one, origin)) return;
     text.generated("enter_beam() by this surface's bounds, renamed",
                    "#define enter_beam enter_own_beam\n");
 }
 
-void end_entrance(ShaderText& text, const scene::Scene& scene, Origin origin, Draws draws) {
-    if (!ends_before(scene, origin)) return;
+void end_entrance(ShaderText& text, const scene::OneSurface& one, Origin origin, Draws draws) {
+    if (!ends_before(one, origin)) return;
     text.generated("enter_beam() that ends at the surfaces before", "#undef enter_beam\n");
     text.file("surfaces/eye_way.glsl");
     text.file(draws == Draws::one ? "surfaces/way_of_picture.glsl" : "surfaces/way_of_ends.glsl");
     text.file("surfaces/enter_before.glsl");
 }
 
-void add_store_nearest(ShaderText& text, const scene::Scene& scene, Origin origin) {
+void add_store_nearest(ShaderText& text, const scene::OneSurface& one, Origin origin) {
     const bool of_eye = origin == Origin::eye;
-    text.define("SURFACE", scene.among.index);
+    text.define("SURFACE", one.index);
     text.file(of_eye ? "surfaces/eye_way.glsl" : "surfaces/mirror_way.glsl");
     text.file("surfaces/nearest.glsl");
-    if (is_first(scene)) {
+    if (one.index == 0) {
         text.file("surfaces/first.glsl");
         return;
     }
@@ -85,11 +86,11 @@ void add_store_nearest(ShaderText& text, const scene::Scene& scene, Origin origi
     text.file("surfaces/next.glsl");
 }
 
-void add_keep_nearest(ShaderText& text, const scene::Scene& scene, const Passes& passes) {
+void add_keep_nearest(ShaderText& text, const scene::OneSurface& one, const Passes& passes) {
     text.file("surfaces/eye_way.glsl");
     text.define("WAY_LOCATION", way_attachment(passes));
     text.file("surfaces/seen_way.glsl");
-    if (is_first(scene)) {
+    if (one.index == 0) {
         text.file("surfaces/keep_first.glsl");
         return;
     }
@@ -103,8 +104,8 @@ void agree_on_draws(std::vector<Passes*> all) {
     for (Passes* passes : all) *passes = without_fused_pass(std::move(*passes));
 }
 
-void begin_shadow_after_others(ShaderText& text, const scene::Scene& scene, int mask) {
-    if (!is_among(scene) || is_first(scene)) {
+void begin_shadow_after_others(ShaderText& text, const scene::OneSurface& one, int mask) {
+    if (one.is_alone() || one.index == 0) {
         text.file("effects/begin_lights.glsl");
         return;
     }
@@ -116,24 +117,24 @@ void begin_shadow_after_others(ShaderText& text, const scene::Scene& scene, int 
 Pass mirror_mask_pass(const scene::Scene& scene) {
     ShaderText text;
     text.file("march/verdict.glsl");
-    text.define("MIRRORS", scene.among.mirrors);
+    text.define("MIRRORS", scene::mirrors(scene));
     text.file("surfaces/mirror_mask.frag");
     return std::move(text).pass(Role::mirror_mask, "mirror mask", When::once_a_tile);
 }
 
-Pass occlusion_pass(const scene::Scene& scene, const Passes& passes) {
+Pass occlusion_pass(const scene::OneSurface& one, const Passes& passes) {
     ShaderText text;
-    add_field(text, *scene.surface.field, passes, {FieldFunction::value, FieldFunction::gradient});
-    add_ray(text, scene);
-    if (!scene.sections.empty()) text.file("section/distance.glsl");
+    add_field(text, *one.surface.field, passes, {FieldFunction::value, FieldFunction::gradient});
+    add_ray(text, one);
+    if (!one.scene.sections.empty()) text.file("section/distance.glsl");
     text.file("effects/surface_point.glsl");
-    add_load_surface(text, scene);
-    text.define("SURFACE", scene.among.index);
+    add_load_surface(text, one);
+    text.define("SURFACE", one.index);
     text.generated("generated: what the surfaces before leave",
-                   is_first(scene) ? "float open_before() {\n    return 1.0;\n}\n"
-                                   : "uniform sampler2D occlusion_texture;\n"
-                                     "float open_before() {\n    return texelFetch("
-                                     "occlusion_texture, ivec2(pixel_centre), 0).x;\n}\n");
+                   one.index == 0 ? "float open_before() {\n    return 1.0;\n}\n"
+                                  : "uniform sampler2D occlusion_texture;\n"
+                                    "float open_before() {\n    return texelFetch("
+                                    "occlusion_texture, ivec2(pixel_centre), 0).x;\n}\n");
     text.file("surfaces/occlusion.frag");
     return std::move(text).pass(Role::occlusion, "occlusion", When::once_a_tile);
 }

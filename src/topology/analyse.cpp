@@ -57,10 +57,10 @@ int threads_of(const AnalyseOptions& how) {
 }
 
 // None where it was stopped.
-std::optional<Betti> on_grid(const scene::Scene& scene, const scene::SceneAt& now, Side side,
+std::optional<Betti> on_grid(const scene::OneSurface& one, const scene::SurfaceAt& now, Side side,
                              int grid, int threads, const SerialCallbacks& callbacks) {
     Work work([&] { return callbacks.stopped(); });
-    const auto signs = FrameSigns(*scene.surface.field, scene.surface.animation.counts())
+    const auto signs = FrameSigns(*one.surface.field, one.surface.animation.counts())
                            .at(now, side, grid, threads, work);
     return signs ? std::optional(betti(*signs)) : std::nullopt;
 }
@@ -87,11 +87,11 @@ void check_euler_number(Timeline& timeline) {
 }
 
 // Seeds take all elements of sums at each of their steps, wherever they are.
-void expect_few_elements(const scene::Scene& scene, int seeds) {
+void expect_few_elements(const scene::OneSurface& one, int seeds) {
     constexpr double most_operations = 1e12; // some quarter of an hour of a core
     constexpr double steps = 25;
     const double operations =
-        formula::cost(scene.surface.field->gradient, scene.surface.animation.counts()).operations;
+        formula::cost(one.surface.field->gradient, one.surface.animation.counts()).operations;
     if (operations * seeds * steps <= most_operations) return;
     throw std::invalid_argument(fmt::format(
         "--certify fast follows {} seeds, and each step sums all elements, {:g} operations: take "
@@ -101,19 +101,19 @@ void expect_few_elements(const scene::Scene& scene, int seeds) {
 
 // Events from seeds, with the kinds that their index tells. Without the others there is nothing
 // between the ends.
-Timeline seeded(const scene::Scene& scene, Side side, const AnalyseOptions& how, int first,
+Timeline seeded(const scene::OneSurface& one, Side side, const AnalyseOptions& how, int first,
                 int last, const SerialCallbacks& callbacks) {
     constexpr int seeds = 1 << 16;
-    expect_few_elements(scene, seeds);
+    expect_few_elements(one, seeds);
     const int grid = how.grid.value_or(128);
     EventSearchOptions searching = event_search(how, callbacks);
     searching.seeds = seeds;
     Timeline timeline = find_events(
-        scene, side, {scene.timeline.time(first), scene.timeline.time(last)}, searching);
+        one, side, {one.scene.timeline.time(first), one.scene.timeline.time(last)}, searching);
     const auto end = [&](int frame, std::optional<Betti>& betti) {
         if (callbacks.stopped()) return;
-        const scene::SceneAt now = scene::at_frame(scene, frame);
-        betti = on_grid(scene, now, side, grid, how.threads, callbacks);
+        const scene::SurfaceAt now = scene::surface_at(one, one.scene.timeline.time(frame));
+        betti = on_grid(one, now, side, grid, how.threads, callbacks);
     };
     end(first, timeline.start);
     end(last, timeline.end);
@@ -126,12 +126,12 @@ Timeline seeded(const scene::Scene& scene, Side side, const AnalyseOptions& how,
 // Counts signs at a time on a grid of so many vertices a side.
 using CountSigns = std::function<std::optional<Betti>(double time, int grid)>;
 
-CountSigns signs_of(const scene::Scene& scene, Side side, const SerialCallbacks& callbacks) {
+CountSigns signs_of(const scene::OneSurface& one, Side side, const SerialCallbacks& callbacks) {
     const auto signs =
-        std::make_shared<const FrameSigns>(*scene.surface.field, scene.surface.animation.counts());
-    return [&scene, side, &callbacks, signs](double time, int grid) -> std::optional<Betti> {
+        std::make_shared<const FrameSigns>(*one.surface.field, one.surface.animation.counts());
+    return [one, side, &callbacks, signs](double time, int grid) -> std::optional<Betti> {
         Work work([&] { return callbacks.stopped(); });
-        const auto found = signs->at(scene::at(scene, time), side, grid, 1, work);
+        const auto found = signs->at(scene::surface_at(one, time), side, grid, 1, work);
         return found ? std::optional(betti(*found)) : std::nullopt;
     };
 }
@@ -243,15 +243,15 @@ Timeline proved(Timeline timeline, const Motions& motions, const AnalyseOptions&
     return timeline;
 }
 
-Side solid(const scene::Scene& scene, std::optional<Side> given) {
-    return given ? *given : solid_side(scene);
+Side solid(const scene::OneSurface& one, std::optional<Side> given) {
+    return given ? *given : solid_side(one);
 }
 
 } // namespace
 
-Timeline analyse(const scene::Scene& scene, const AnalyseOptions& how) {
-    const int last = how.last == 0 ? scene.timeline.frames : how.last;
-    const Side side = solid(scene, how.solids[0]);
+Timeline analyse(const scene::OneSurface& one, const AnalyseOptions& how) {
+    const int last = how.last == 0 ? one.scene.timeline.frames : how.last;
+    const Side side = solid(one, how.solids[0]);
     const SerialCallbacks callbacks(how);
     if (how.certify == Certify::off) {
         Sampling sampling;
@@ -261,21 +261,21 @@ Timeline analyse(const scene::Scene& scene, const AnalyseOptions& how) {
         sampling.threads = how.threads;
         sampling.progress = [&](double part) { callbacks.show("sampling", part); };
         sampling.stopped = [&] { return callbacks.stopped(); };
-        return sampled(scene, side, sampling);
+        return sampled(one, side, sampling);
     }
-    if (how.certify == Certify::fast) return seeded(scene, side, how, how.first, last, callbacks);
-    const Interval range{scene.timeline.time(how.first), scene.timeline.time(last)};
-    return proved(find_events(scene, side, range, event_search(how, callbacks)),
-                  motions(scene, side, range, Clock::time), how, range, callbacks,
-                  signs_of(scene, side, callbacks));
+    if (how.certify == Certify::fast) return seeded(one, side, how, how.first, last, callbacks);
+    const Interval range{one.scene.timeline.time(how.first), one.scene.timeline.time(last)};
+    return proved(find_events(one, side, range, event_search(how, callbacks)),
+                  motions(one, side, range, Clock::time), how, range, callbacks,
+                  signs_of(one, side, callbacks));
 }
 
-Timeline analyse_contact(const scene::Scene& first, const scene::Scene& second,
+Timeline analyse_contact(const scene::OneSurface& first, const scene::OneSurface& second,
                          const AnalyseOptions& how) {
     if (how.certify != Certify::full)
         throw std::invalid_argument("contact is proved or not found: take --certify full");
-    const int last = how.last == 0 ? first.timeline.frames : how.last;
-    const Interval range{first.timeline.time(how.first), first.timeline.time(last)};
+    const int last = how.last == 0 ? first.scene.timeline.frames : how.last;
+    const Interval range{first.scene.timeline.time(how.first), first.scene.timeline.time(last)};
     const SerialCallbacks callbacks(how);
     const Motions motions = common_motions({first, solid(first, how.solids[0])},
                                            {second, solid(second, how.solids[1])}, range);

@@ -38,12 +38,12 @@ struct AnalyseOptions {
 // The timeline's range is from the time of the first frame to that of the last. The result is the
 // same for any number of threads. Throws SceneError if values leave their range, and
 // std::invalid_argument if sampling all frames takes too many operations.
-Timeline analyse(const scene::Scene& scene, const AnalyseOptions& how = {});
+Timeline analyse(const scene::OneSurface& one, const AnalyseOptions& how = {});
 
-// The timeline of what two surfaces of one scene have in common, each alone (scene::alone). A birth
-// is a place where they touch, a death one where they part. Coordinates are the first one's. Only
-// with Certify::full, otherwise throws std::invalid_argument.
-Timeline analyse_contact(const scene::Scene& first, const scene::Scene& second,
+// The timeline of what two surfaces of one scene have in common. A birth is a place where they
+// touch, a death one where they part. Coordinates are the first one's. Only with Certify::full,
+// otherwise throws std::invalid_argument.
+Timeline analyse_contact(const scene::OneSurface& first, const scene::OneSurface& second,
                          const AnalyseOptions& how = {});
 
 } // namespace isomotion::topology

@@ -7,8 +7,8 @@ namespace isomotion::topology {
 
 using formula::Interval;
 
-MovingScene::MovingScene(const scene::Scene& scene, Side solid, Interval range)
-    : MovingScene(motions(scene, solid, range, Clock::time)) {}
+MovingScene::MovingScene(const scene::OneSurface& one, Side solid, Interval range)
+    : MovingScene(motions(one, solid, range, Clock::time)) {}
 
 MovingScene::MovingScene(const Motions& all) {
     for (const Motion& piece : all.pieces) pieces_.emplace_back(piece);

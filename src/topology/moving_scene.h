@@ -12,7 +12,7 @@ namespace isomotion::topology {
 
 class MovingScene {
 public:
-    MovingScene(const scene::Scene& scene, Side solid, formula::Interval range);
+    MovingScene(const scene::OneSurface& one, Side solid, formula::Interval range);
     // Motions by time.
     explicit MovingScene(const Motions& all);
 

@@ -15,8 +15,8 @@ namespace {
 // Beside F: components and loops of a grid, and fields of arrays.
 constexpr double of_vertex = 8, of_value = 150, of_value_operation = 25;
 
-double operations_of_values(const scene::Scene& scene) {
-    const animation::Animation& animation = scene.surface.animation;
+double operations_of_values(const scene::OneSurface& one) {
+    const animation::Animation& animation = one.surface.animation;
     double operations = of_value_operation * animation.operations();
     for (std::size_t a = 0; a < animation.arrays().size(); ++a)
         operations += of_value_operation * animation.operations(a) + of_value * animation.values(a);
@@ -24,26 +24,26 @@ double operations_of_values(const scene::Scene& scene) {
 }
 
 // None where it takes more than `most` operations.
-std::optional<Timeline> sampled_on(int grid, const scene::Scene& scene, Side solid,
+std::optional<Timeline> sampled_on(int grid, const scene::OneSurface& one, Side solid,
                                    const Sampling& sampling, double most) {
     const auto [first, last] = std::pair(sampling.first, sampling.last);
     Timeline timeline;
-    timeline.range = {scene.timeline.time(first), scene.timeline.time(last)};
+    timeline.range = {one.scene.timeline.time(first), one.scene.timeline.time(last)};
     timeline.doubts.push_back(
         fmt::format("nothing was proved: signs on a grid of {0}x{0}x{0}, frame by frame", grid));
     // The first frame tells soon where all are far too many.
     const int frames = last - first + 1;
     Work at_first(sampling.stopped, 2 * most / frames), later(sampling.stopped, most);
-    const double beside = operations_of_values(scene) + of_vertex * grid * grid * grid;
+    const double beside = operations_of_values(one) + of_vertex * grid * grid * grid;
     if (beside * frames > most) return std::nullopt;
-    const FrameSigns signs_of(*scene.surface.field, scene.surface.animation.counts());
+    const FrameSigns signs_of(*one.surface.field, one.surface.animation.counts());
     std::optional<Betti> before;
     double since = 0;
     for (int frame = first; frame <= last; ++frame) {
         Work& work = frame == first ? at_first : later;
         work.add(beside);
         if (work.is_over()) break;
-        const scene::SceneAt now = scene::at_frame(scene, frame);
+        const scene::SurfaceAt now = scene::surface_at(one, one.scene.timeline.time(frame));
         const auto signs = signs_of.at(now, solid, grid, sampling.threads, work);
         if (!signs) break;
         // What some tenth of the frames took tells what all will take.
@@ -53,13 +53,13 @@ std::optional<Timeline> sampled_on(int grid, const scene::Scene& scene, Side sol
         if (before && *before != here) {
             std::array<formula::Interval, 3> where;
             for (int k = 0; k < 3; ++k)
-                where[std::size_t(k)] = {now.surface.bounds.min[k], now.surface.bounds.max[k]};
+                where[std::size_t(k)] = {now.bounds.min[k], now.bounds.max[k]};
             timeline.unresolved.push_back(
-                {{since, now.time}, where, "these two frames differ", before, here});
+                {{since, now.values->time}, where, "these two frames differ", before, here});
         }
         if (!before) timeline.start = here;
         timeline.end = before = here;
-        since = now.time;
+        since = now.values->time;
         if (sampling.progress) sampling.progress(double(done) / frames);
     }
     if (at_first.is_too_much() || later.is_too_much()) return std::nullopt;
@@ -69,11 +69,11 @@ std::optional<Timeline> sampled_on(int grid, const scene::Scene& scene, Side sol
 
 } // namespace
 
-Timeline sampled(const scene::Scene& scene, Side solid, const Sampling& sampling) {
-    if (sampling.grid) return *sampled_on(*sampling.grid, scene, solid, sampling, HUGE_VAL);
+Timeline sampled(const scene::OneSurface& one, Side solid, const Sampling& sampling) {
+    if (sampling.grid) return *sampled_on(*sampling.grid, one, solid, sampling, HUGE_VAL);
     constexpr int finest = 64, coarsest = 16;
     for (int grid = finest; grid >= coarsest; grid /= 2) {
-        if (auto timeline = sampled_on(grid, scene, solid, sampling, sampling.most_operations))
+        if (auto timeline = sampled_on(grid, one, solid, sampling, sampling.most_operations))
             return *std::move(timeline);
     }
     throw std::invalid_argument(fmt::format(

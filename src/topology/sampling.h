@@ -23,6 +23,6 @@ struct Sampling {
 
 // Two successive frames with different signs give an unresolved stretch of time. Throws SceneError
 // if values leave their range, std::invalid_argument if even 16 vertices are too many.
-Timeline sampled(const scene::Scene& scene, Side solid, const Sampling& sampling);
+Timeline sampled(const scene::OneSurface& one, Side solid, const Sampling& sampling);
 
 } // namespace isomotion::topology

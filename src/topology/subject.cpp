@@ -3,16 +3,18 @@
 #include <fmt/format.h>
 
 #include "scene/scene_at.h"
-#include "scene/surfaces.h"
 #include "scene/unbounded.h"
 
 namespace isomotion::topology {
 
-Subject pair_of(const scene::Scene& scene, int first, int second) {
-    const std::vector<std::string> names = scene::surface_names(scene);
-    return {scene::alone(scene, first), scene::alone(scene, second),
-            fmt::format("{} ({}, {})", scene.title, names[std::size_t(first)],
-                        names[std::size_t(second)])};
+Subject subject_of(const scene::Scene& scene, std::size_t first,
+                   std::optional<std::size_t> second) {
+    const scene::OneSurface one(scene, first);
+    const std::string& label = one.surface.label;
+    if (!second)
+        return {one, {}, label.empty() ? scene.title : fmt::format("{} ({})", scene.title, label)};
+    const scene::OneSurface other(scene, *second);
+    return {one, other, fmt::format("{} ({}, {})", scene.title, label, other.surface.label)};
 }
 
 TimelineHeader header_of(const Subject& subject, formula::Interval range,
@@ -20,6 +22,7 @@ TimelineHeader header_of(const Subject& subject, formula::Interval range,
     TimelineHeader header =
         subject.second ? header_of_contact(subject.first, *subject.second, subject.title, range)
                        : header_of(subject.first, range);
+    header.title = subject.title;
     for (std::size_t k = 0; k < (subject.second ? 2u : 1u); ++k)
         header.solids.push_back(solids[k] == Side::positive ? 1 : -1);
     return header;
@@ -27,9 +30,9 @@ TimelineHeader header_of(const Subject& subject, formula::Interval range,
 
 std::vector<std::string> why_unbounded(const Subject& subject, int frame) {
     std::vector<std::string> reasons;
-    const auto look_at = [&](const scene::Scene& scene) {
-        const scene::SceneAt now = scene::at_frame(scene, frame);
-        if (auto why = scene::why_unbounded(scene, now)) reasons.push_back(std::move(*why));
+    const auto look_at = [&](const scene::OneSurface& one) {
+        const scene::SurfaceAt now = scene::surface_at(one, one.scene.timeline.time(frame));
+        if (auto why = scene::why_unbounded(one, now)) reasons.push_back(std::move(*why));
     };
     look_at(subject.first);
     if (subject.second) look_at(*subject.second);

@@ -12,14 +12,16 @@
 
 namespace isomotion::topology {
 
+// The scene must outlive it.
 struct Subject {
-    scene::Scene first;
-    std::optional<scene::Scene> second;
+    scene::OneSurface first;
+    std::optional<scene::OneSurface> second;
     std::string title;
 };
 
-// The pair of surfaces with these indices in the scene.
-Subject pair_of(const scene::Scene& scene, int first, int second);
+// The surface or the pair of surfaces with these indices in the scene.
+Subject subject_of(const scene::Scene& scene, std::size_t first,
+                   std::optional<std::size_t> second = {});
 
 // `solids`: of both surfaces; a subject of one surface has it twice.
 TimelineHeader header_of(const Subject& subject, formula::Interval range,

@@ -4,7 +4,6 @@
 #include <thread>
 
 #include "base/workers.h"
-#include "scene/nth_surface.h"
 #include "truth/cut_rays.h"
 #include "truth/field_at_frame.h"
 #include "truth/nearest.h"
@@ -19,11 +18,11 @@ std::array<std::int64_t, 4> Truth::counts() const {
 
 namespace {
 
-Truth certify_one(const scene::Scene& scene, const scene::SceneAt& now, int width, int height,
-                  const Certifying& how) {
+Truth certify_one(const formula::Field& field, const scene::OneSurfaceAt& now, int width,
+                  int height, const Certifying& how) {
     const int wanted = how.threads > 0 ? how.threads : int(std::thread::hardware_concurrency());
-    EnclosedField field(scene);
-    const EnclosedField::Frame frame = field.at(now, wanted);
+    EnclosedField enclosed(field);
+    const EnclosedField::Frame frame = enclosed.at(now.surface, wanted);
     const Tubes tubes(now, width, height);
     const Sections sections(now);
     Truth truth{width, height, {}, 0};
@@ -48,19 +47,21 @@ Truth certify_one(const scene::Scene& scene, const scene::SceneAt& now, int widt
     return truth;
 }
 
-Truth certify_all(const scene::Scene& scene, const scene::SceneAt& now, int width, int height,
-                  const Certifying& how) {
-    const std::size_t count = scene::surface_count(now);
+} // namespace
+
+Truth certify(const scene::Scene& scene, const scene::SceneAt& now, int width, int height,
+              const Certifying& how) {
+    const std::size_t count = scene.surfaces.size();
     std::vector<Truth> each;
     Truth all{width, height, {}, 0};
     for (std::size_t k = 0; k < count; ++k) {
         Certifying one = how;
         if (how.progress)
             one.progress = [&](double part) { how.progress((double(k) + part) / double(count)); };
-        each.push_back(certify_one(scene::nth_surface(scene, k), scene::nth_surface(now, k), width,
-                                   height, one));
+        each.push_back(certify_one(*scene.surfaces[k].field, {now, k}, width, height, one));
         all.evaluations += each.back().evaluations;
     }
+    if (count == 1) return std::move(each.front());
     const RaysOfSurfaces rays(now, width, height);
     std::vector<FirstRoot> roots(count);
     for (int row = 0; row < height; ++row) {
@@ -70,14 +71,6 @@ Truth certify_all(const scene::Scene& scene, const scene::SceneAt& now, int widt
         }
     }
     return all;
-}
-
-} // namespace
-
-Truth certify(const scene::Scene& scene, const scene::SceneAt& now, int width, int height,
-              const Certifying& how) {
-    return scene::has_several_surfaces(now) ? certify_all(scene, now, width, height, how)
-                                            : certify_one(scene, now, width, height, how);
 }
 
 } // namespace isomotion::truth

@@ -161,8 +161,8 @@ Tube part_of(const Tube& tube, const Piece& piece) {
 
 } // namespace
 
-Sections::Sections(const scene::SceneAt& now) {
-    for (const scene::SectionAt& section : now.sections) {
+Sections::Sections(const scene::OneSurfaceAt& now) {
+    for (const scene::SectionAt& section : now.scene.sections) {
         scene::SectionAt local = in_formula_coordinates(section, now.surface.placement);
         local.where = glm::dvec3(glm::vec3(local.where));
         local.reach = double(float(local.reach));

@@ -19,7 +19,7 @@ namespace isomotion::truth {
 // The sections of a scene at a time, in the shaders' precision.
 class Sections {
 public:
-    explicit Sections(const scene::SceneAt& now);
+    explicit Sections(const scene::OneSurfaceAt& now);
     bool empty() const { return all_.empty(); }
 
     struct Piece {

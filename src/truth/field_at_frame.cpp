@@ -7,12 +7,9 @@
 
 namespace isomotion::truth {
 
-EnclosedField::EnclosedField(const scene::Scene& scene)
-    : field_(*scene.surface.field) {}
-
-EnclosedField::Frame EnclosedField::at(const scene::SceneAt& now, int threads,
+EnclosedField::Frame EnclosedField::at(const scene::SurfaceAt& now, int threads,
                                        std::shared_ptr<const elements::ElementGrid> made) {
-    const std::vector<int> counts = now.surface.bindings.counts();
+    const std::vector<int> counts = now.bindings.counts();
     const bool are_many = !counts.empty() && std::ranges::max(counts) > elements::FieldByPlace::few;
     if (are_many && !was_looked_for_) {
         by_place_ = elements::FieldByPlace::of(field_, counts);
@@ -20,9 +17,8 @@ EnclosedField::Frame EnclosedField::at(const scene::SceneAt& now, int threads,
     }
     Frame frame(formula::enclosure_programs(field_), now);
     if (are_many && by_place_) {
-        frame.by_place_ =
-            by_place_->at(now.surface.bindings, scene::region_of_elements(now.surface.bounds),
-                          threads, std::move(made));
+        frame.by_place_ = by_place_->at(now.bindings, scene::region_of_elements(now.bounds),
+                                        threads, std::move(made));
     }
     return frame;
 }

@@ -14,7 +14,9 @@ namespace isomotion::truth {
 
 class EnclosedField {
 public:
-    explicit EnclosedField(const scene::Scene& scene);
+    // The field must outlive this object.
+    explicit EnclosedField(const formula::Field& field)
+        : field_(field) {}
 
     // The values of one frame, for root finders on all threads.
     class Frame {
@@ -23,17 +25,17 @@ public:
 
     private:
         friend class EnclosedField;
-        Frame(const formula::EnclosurePrograms& programs, const scene::SceneAt& now)
+        Frame(const formula::EnclosurePrograms& programs, const scene::SurfaceAt& now)
             : programs_(programs)
             , now_(now) {}
 
         const formula::EnclosurePrograms& programs_;
-        const scene::SceneAt& now_;
+        const scene::SurfaceAt& now_;
         std::optional<elements::FieldByPlace::Frame> by_place_; // if there are many elements
     };
     // `now` and this object must outlive the frame. `made`: an existing grid of the scene's
     // elements at that time over region_of_elements(); null to make one.
-    Frame at(const scene::SceneAt& now, int threads,
+    Frame at(const scene::SurfaceAt& now, int threads,
              std::shared_ptr<const elements::ElementGrid> made = nullptr);
 
 private:

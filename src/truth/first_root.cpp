@@ -93,13 +93,13 @@ struct RootFinder::Lane {
     }
 };
 
-RootFinder::RootFinder(const formula::EnclosurePrograms& field, const scene::SceneAt& scene,
+RootFinder::RootFinder(const formula::EnclosurePrograms& field, const scene::SurfaceAt& surface,
                        Budget budget)
     : value_(OverAll(field.value))
     , directional_(OverAll(field.directional))
     , gradient_(OverAll(field.gradient))
     , jumps_(OverAll(field.jumps))
-    , bindings_(formula::convert<Interval>(scene.surface.bindings))
+    , bindings_(formula::convert<Interval>(surface.bindings))
     , may_lack_values_(field.may_lack_values)
     , budget_(budget) {}
 

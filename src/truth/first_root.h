@@ -47,7 +47,7 @@ struct Budget {
 // Finds roots for many rays, evaluating them together. Use one per thread.
 class RootFinder {
 public:
-    RootFinder(const formula::EnclosurePrograms& field, const scene::SceneAt& scene,
+    RootFinder(const formula::EnclosurePrograms& field, const scene::SurfaceAt& surface,
                Budget budget = {});
     // For fields with many elements: sums over the elements that matter at each place.
     explicit RootFinder(const elements::FieldByPlace::Frame& field, Budget budget = {});

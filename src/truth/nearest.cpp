@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <limits>
 
-#include "scene/nth_surface.h"
 #include "truth/outward.h"
 
 namespace isomotion::truth {
@@ -96,11 +95,10 @@ FirstRoot nearest(std::span<const FirstRoot> roots, double apart) {
 
 RaysOfSurfaces::RaysOfSurfaces(const scene::SceneAt& now, int width, int height,
                                const scene::Aim& aim) {
-    const auto add = [&](const scene::SceneAt& surface) {
-        places_.push_back(surface.surface.placement);
-        tubes_.emplace_back(surface, width, height, aim);
-    };
-    scene::for_each_surface(now, add);
+    for (std::size_t k = 0; k < now.surfaces.size(); ++k) {
+        places_.push_back(now.surfaces[k].placement);
+        tubes_.emplace_back(scene::OneSurfaceAt(now, k), width, height, aim);
+    }
 }
 
 FirstRoot RaysOfSurfaces::nearest(int column, int row,

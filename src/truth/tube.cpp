@@ -44,9 +44,9 @@ RayPart clip(const scene::BoundsAt& bounds, const glm::dvec3& anchor, const glm:
 
 } // namespace
 
-Tubes::Tubes(const scene::SceneAt& scene, int width, int height, const scene::Aim& aim)
-    : rays_(scene::rays(scene, width, height, aim))
-    , bounds_(scene.surface.bounds)
+Tubes::Tubes(const scene::OneSurfaceAt& now, int width, int height, const scene::Aim& aim)
+    : rays_(scene::rays(now, width, height, aim))
+    , bounds_(now.surface.bounds)
     , width_(width)
     , height_(height) {
     for (glm::dvec3* v : {&rays_.origin, &rays_.axis, &rays_.right, &rays_.up}) *v = as_float(*v);

@@ -28,7 +28,7 @@ struct Tube {
 // The tubes of a picture.
 class Tubes {
 public:
-    Tubes(const scene::SceneAt& scene, int width, int height, const scene::Aim& aim = {});
+    Tubes(const scene::OneSurfaceAt& now, int width, int height, const scene::Aim& aim = {});
 
     int width() const { return width_; }
     int height() const { return height_; }

@@ -35,22 +35,22 @@ TEST(Settings, SweepMethodsAndSteps) {
     // Steps for the paper's three, safeties for cubics, the others as they are.
     const auto all = sweep(scene, {}, {});
     EXPECT_EQ(all.size(), 3 * 6 + 4 + (std::size(scene::method_traits) - 4));
-    EXPECT_EQ(name(all[0], scene.surface.isolation), "marching step=0.4");
-    EXPECT_EQ(name(all.back(), scene.surface.isolation), "sphere");
+    EXPECT_EQ(name(all[0], scene.surfaces[0].isolation), "marching step=0.4");
+    EXPECT_EQ(name(all.back(), scene.surfaces[0].isolation), "sphere");
     scene::Scene stepping = scene;
-    stepping.surface.isolation.method = scene::Method::amp_sign;
+    stepping.surfaces[0].isolation.method = scene::Method::amp_sign;
     const auto more = sweep(stepping, {}, {});
     EXPECT_EQ(more.size(), all.size() + 4);
-    EXPECT_EQ(name(more.back(), scene.surface.isolation), "amp-sign step=0.1 bisections=16");
+    EXPECT_EQ(name(more.back(), scene.surfaces[0].isolation), "amp-sign step=0.1 bisections=16");
     const auto few = sweep(scene, {scene::Method::amp_taylor}, {0.3, 0.2});
     ASSERT_EQ(few.size(), 2u);
-    EXPECT_EQ(name(few[1], scene.surface.isolation), "amp-taylor step=0.2");
+    EXPECT_EQ(name(few[1], scene.surfaces[0].isolation), "amp-taylor step=0.2");
     const scene::Scene changed = apply({scene::Method::marching, 0.3, 4, 9}, scene);
-    EXPECT_EQ(changed.surface.isolation.method, scene::Method::marching);
-    EXPECT_EQ(changed.surface.isolation.step, 0.3);
-    EXPECT_EQ(changed.surface.isolation.bisections, 9);
-    EXPECT_EQ(changed.surface.isolation.near, 4 * scene.surface.isolation.near);
-    EXPECT_EQ(changed.surface.isolation.horizon, 4 * scene.surface.isolation.horizon);
+    EXPECT_EQ(changed.surfaces[0].isolation.method, scene::Method::marching);
+    EXPECT_EQ(changed.surfaces[0].isolation.step, 0.3);
+    EXPECT_EQ(changed.surfaces[0].isolation.bisections, 9);
+    EXPECT_EQ(changed.surfaces[0].isolation.near, 4 * scene.surfaces[0].isolation.near);
+    EXPECT_EQ(changed.surfaces[0].isolation.horizon, 4 * scene.surfaces[0].isolation.horizon);
 }
 
 // A torus with a tube of 0.1: a step of 0.4 misses most of it, one of 0.01 next to nothing.

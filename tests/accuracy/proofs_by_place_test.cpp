@@ -56,7 +56,7 @@ size = [{}, {}]
 
 Picture drawn(gpu::Context& context, const scene::Scene& scene) {
     auto channels = render::every_channel;
-    if (scene.surface.isolation.certify) channels.push_back(synthesis::Channel::proof);
+    if (scene.surfaces[0].isolation.certify) channels.push_back(synthesis::Channel::proof);
     render::Renderer renderer(context, scene, {width, height, channels, {}});
     return renderer.draw(scene::at_frame(scene, 1));
 }

@@ -4,7 +4,7 @@
 
 #include "accuracy/compare.h"
 #include "render/drawing.h"
-#include "render/proofs_of_surfaces.h"
+#include "render/picture_proofs.h"
 #include "truth/certify.h"
 
 namespace isomotion::accuracy {

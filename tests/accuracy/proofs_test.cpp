@@ -116,7 +116,7 @@ TEST_P(Proofs, LongSumsAreSummedToTheirEnd) {
             draw(*context, scene_of(piled_blobs(3, "1 + 0*i", output + isolation(method))));
         scene::Scene long_sum =
             scene_of(piled_blobs(4001, "max(0, min(1, i - (n - 4)))", output + isolation(method)));
-        long_sum.surface.isolation.beam = false; // no elements by place
+        long_sum.surfaces[0].isolation.beam = false; // no elements by place
         const Picture many = draw(*context, long_sum);
         EXPECT_GT(count(few, Verdict::hit), 30);
         EXPECT_EQ(few.verdicts, many.verdicts);

@@ -78,7 +78,7 @@ protected:
         inputs.pictures.front().endings_of = pixels_of_frame(width, height, rays, 1);
         now = inputs.now;
         aim = inputs.pictures.front().aim;
-        grid = render::grid(inputs.pictures.front());
+        grid = render::grid(inputs.pictures.front().surfaces[0]);
         return render::expose(renderer, inputs);
     }
     scene::SceneAt now;

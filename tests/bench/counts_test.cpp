@@ -93,9 +93,10 @@ TEST_P(Counts, AreThoseExpected) {
         SCOPED_TRACE(fmt::format("{} {}", key.first, key.second));
         Row row;
         try {
-            const accuracy::Setting setting{method.method, on.subject.scene.surface.isolation.step,
-                                            1, on.subject.scene.surface.isolation.bisections,
-                                            on.subject.scene.surface.isolation.safety};
+            const accuracy::Setting setting{method.method,
+                                            on.subject.scene.surfaces[0].isolation.step, 1,
+                                            on.subject.scene.surfaces[0].isolation.bisections,
+                                            on.subject.scene.surfaces[0].isolation.safety};
             const Count counted = count(*context, on, setting);
             const accuracy::Errors& e = counted.errors;
             row = {{}, counted.evaluations_a_ray(), e.missed, e.false_hits, e.wrong_roots};

@@ -149,7 +149,7 @@ int run(const Arguments& arguments) {
         const scene::Scene scene = scene::load(file.string());
         if (arguments.folder.empty()) std::filesystem::remove(file);
         int elements = 0;
-        for (const int count : scene.surface.animation.counts()) elements += count;
+        for (const int count : scene.surfaces[0].animation.counts()) elements += count;
         Measured measured = measure(scene, arguments.limit, arguments.threads);
         const Timeline& timeline = measured.record.timeline;
         const auto unknown = std::ranges::count(timeline.events, Kind::unknown, &Event::kind);

@@ -72,7 +72,7 @@ Measurement measure(gpu::Context& context, const std::string& surface, const std
     scene.output.width = scene.output.height = size;
     const scene::SceneAt now = scene::at_frame(scene, 1);
     Measurement found;
-    found.step = scene.surface.isolation.step;
+    found.step = scene.surfaces[0].isolation.step;
     {
         render::Renderer counting(context, scene,
                                   {size, size, {synthesis::Channel::evaluations}, {}});

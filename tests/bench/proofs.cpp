@@ -39,7 +39,7 @@ void run_by_processor(const Arguments& arguments, gpu::Context& context,
         Certified plain = uncertified(surface(name), arguments.size);
         std::vector<std::unique_ptr<render::Renderer>> renderers;
         for (const bool certify : {false, true}) {
-            plain.subject.scene.surface.isolation.certify = certify;
+            plain.subject.scene.surfaces[0].isolation.certify = certify;
             renderers.push_back(std::make_unique<render::Renderer>(
                 context, plain.subject.scene,
                 render::RenderOptions{plain.width(), plain.height()}));
@@ -96,8 +96,8 @@ void run(const Arguments& arguments) {
         const Certified plain =
             certified(surface(name), arguments.size, accuracy::truth_cache_folder());
         Certified proved = plain;
-        proved.subject.scene.surface.isolation.certify = true;
-        const scene::Isolation& own = plain.subject.scene.surface.isolation;
+        proved.subject.scene.surfaces[0].isolation.certify = true;
+        const scene::Isolation& own = plain.subject.scene.surfaces[0].isolation;
         const accuracy::Setting setting{scene::Method::hermite, own.step, 1, own.bisections,
                                         own.safety};
         const accuracy::Errors errors = held_against_truth(*context, proved, setting);

@@ -114,7 +114,7 @@ void first_frame(benchmark::State& state, const scene::Scene& scene) {
         renderer.draw(now);
         state.SetIterationTime(cold - seconds_since(again));
     }
-    state.counters["nodes"] = double(scene.surface.field->value.registers);
+    state.counters["nodes"] = double(scene.surfaces[0].field->value.registers);
 }
 
 void first_frame_of_blobby75(benchmark::State& state) {

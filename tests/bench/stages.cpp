@@ -71,8 +71,8 @@ public:
         , scene_(on.subject.scene)
         , arguments_(arguments)
         , line_{on.subject.name, stage, method} {
-        scene_.surface.isolation.method = method;
-        if (!arguments.beams.empty()) scene_.surface.isolation.beam = arguments.beams == "on";
+        scene_.surfaces[0].isolation.method = method;
+        if (!arguments.beams.empty()) scene_.surfaces[0].isolation.beam = arguments.beams == "on";
         render::RenderOptions options{
             arguments.size, arguments.size, {Channel::normal, Channel::position, Channel::verdict}};
         options.stage =
@@ -102,10 +102,10 @@ public:
 
     void halve(int halvings) {
         line_.halvings = halvings;
-        scene_.surface.isolation.step =
-            std::ldexp(on_.subject.scene.surface.isolation.step, -halvings);
-        timed_->adjust(scene_.surface.isolation);
-        if (counted_) counted_->adjust(scene_.surface.isolation);
+        scene_.surfaces[0].isolation.step =
+            std::ldexp(on_.subject.scene.surfaces[0].isolation.step, -halvings);
+        timed_->adjust(scene_.surfaces[0].isolation);
+        if (counted_) counted_->adjust(scene_.surfaces[0].isolation);
     }
 
     std::int64_t wrong() {

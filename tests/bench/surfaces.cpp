@@ -64,20 +64,20 @@ int main(int count, char** words) {
 
     std::vector<std::unique_ptr<Drawn>> all;
     all.push_back(std::make_unique<Drawn>(*context, scene, pixels, frame));
-    for (int k = 0; k < scene.among.count; ++k) {
-        all.push_back(std::make_unique<Drawn>(*context, scene::alone(scene, k), pixels, frame));
+    for (std::size_t k = 0; k < scene.surfaces.size(); ++k) {
+        all.push_back(std::make_unique<Drawn>(*context, scene::alone({scene, k}), pixels, frame));
     }
     for (int round = 0; round < rounds; ++round) {
         for (const auto& one : all) one->times.push_back(one->draw());
     }
     double sum = 0;
     std::int64_t evaluations = 0;
-    for (int k = 0; k < scene.among.count; ++k) {
-        Drawn& one = *all[std::size_t(k + 1)];
+    for (std::size_t k = 0; k < scene.surfaces.size(); ++k) {
+        Drawn& one = *all[k + 1];
         sum += one.median();
         evaluations += one.evaluations;
-        fmt::print("{:12} {:9.2f} ms {:12} evaluations\n",
-                   scene::surface_names(scene)[std::size_t(k)], one.median(), one.evaluations);
+        fmt::print("{:12} {:9.2f} ms {:12} evaluations\n", scene::surface_names(scene)[k],
+                   one.median(), one.evaluations);
     }
     Drawn& together = *all.front();
     fmt::print(

@@ -29,7 +29,7 @@ TEST(Centres, OfAllBlobbiesAreTheGoldenShells) {
     for (const char* surface : {"blinn_blobby", "blinn_inverse_square", "wyvill_soft_objects"}) {
         for (const double s : {1.0, 0.3, 2.2}) {
             SCOPED_TRACE(testing::Message() << surface << " at s = " << s);
-            const auto blobs = used(surface, {{"s", s}}).at.surface.bindings.arrays.at(0);
+            const auto blobs = used(surface, {{"s", s}}).at.surfaces[0].bindings.arrays.at(0);
             ASSERT_EQ(blobs.count, 75);
             for (std::size_t k = 0; k < expected.size(); ++k) {
                 // The fields cx, cy, cz come first; the files give six decimals.

@@ -76,7 +76,7 @@ TEST_P(CatalogueField, IsTheTranscribedFormula) {
     std::vector<double> tolerances;
     const int points = trials(90, 300);
     for (int k = 0; k < points; ++k) {
-        const formula::Point p = as_inputs(point_in(surface.at.surface.bounds, random));
+        const formula::Point p = as_inputs(point_in(surface.at.surfaces[0].bounds, random));
         const double tolerance = 4 * (file.rounding(p) + other.rounding(p));
         if (!std::isfinite(tolerance)) continue; // beside a pole floats may leave their range
         ASSERT_NEAR(file.value(p), other.value(p), tolerance) << testing::PrintToString(p);
@@ -99,7 +99,7 @@ TEST_P(CatalogueField, HasTheRecordedValues) {
     int outside = 0;
     for (int k = 0; k < points; ++k) {
         const double value =
-            field.value(bindings, as_inputs(point_in(surface.at.surface.bounds, random)));
+            field.value(bindings, as_inputs(point_in(surface.at.surfaces[0].bounds, random)));
         ASSERT_TRUE(std::isfinite(value));
         if (value < GetParam().least || value > GetParam().greatest) ++outside;
         for (std::size_t q = 0; q < below.size(); ++q) {
@@ -136,7 +136,7 @@ TEST_P(CatalogueField, StaysInTheBoundsAsRecorded) {
         int positive = 0, negative = 0;
         for (int k = 0; k < 2000; ++k) {
             const double value =
-                field.value(bindings, as_inputs(point_on(surface.at.surface.bounds, random)));
+                field.value(bindings, as_inputs(point_on(surface.at.surfaces[0].bounds, random)));
             ++(value > 0 ? positive : negative);
         }
         if (GetParam().sign > 0) {
@@ -161,7 +161,7 @@ TEST_P(CatalogueField, ChangesWithEachParameter) {
         formula::FieldEvaluator<double> field(low.field());
         int changes = 0;
         for (int k = 0; k < 2000; ++k) {
-            const formula::Point p = as_inputs(point_in(low.at.surface.bounds, random));
+            const formula::Point p = as_inputs(point_in(low.at.surfaces[0].bounds, random));
             if ((field.value(at_min, p) < 0) != (field.value(at_max, p) < 0)) ++changes;
         }
         EXPECT_GT(changes, 2) << parameter.name;

@@ -51,7 +51,7 @@ TEST(CatalogueFiles, GiveStepAndThresholds) {
         const toml::table file = file_of(surface.name);
         const auto number = [&](const char* key) { return file["isolation"][key].value_or(0.0); };
         EXPECT_GT(number("step"), 0);
-        EXPECT_LT(number("step"), used(surface.name).at.surface.bounds.radius / 10);
+        EXPECT_LT(number("step"), used(surface.name).at.surfaces[0].bounds.radius / 10);
         EXPECT_GT(number("near"), 0);
         EXPECT_GT(number("far"), number("near"));
         EXPECT_GT(number("horizon"), 0);
@@ -63,7 +63,7 @@ TEST(CatalogueFiles, LoadWithEachParameterAtEachEnd) {
         for (const auto& settings : ends_of_parameters(surface.name)) {
             SCOPED_TRACE(surface.name + ": " + describe(settings));
             EXPECT_NO_THROW(
-                EXPECT_EQ(used(surface.name, settings).scene.surface.name, surface.name));
+                EXPECT_EQ(used(surface.name, settings).scene.surfaces[0].name, surface.name));
         }
     }
 }
@@ -71,7 +71,7 @@ TEST(CatalogueFiles, LoadWithEachParameterAtEachEnd) {
 TEST(CatalogueFiles, HaveTheRecordedBoundsByDefault) {
     for (const Recorded& surface : recorded()) {
         SCOPED_TRACE(surface.name);
-        const scene::BoundsAt bounds = used(surface.name).at.surface.bounds;
+        const scene::BoundsAt bounds = used(surface.name).at.surfaces[0].bounds;
         if (surface.radius > 0) {
             EXPECT_EQ(bounds.shape, scene::Bounds::Shape::sphere);
             EXPECT_EQ(bounds.radius, surface.radius);

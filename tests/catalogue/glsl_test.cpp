@@ -71,7 +71,8 @@ private:
 template<class Visit>
 void compare(const Used& surface, const std::vector<Probe>& probes, Visit&& visit) {
     const auto bindings = surface.bindings();
-    const auto on_gpu = synthesis::run_on_gpu(surface.field(), surface.at.surface.bindings, probes);
+    const auto on_gpu =
+        synthesis::run_on_gpu(surface.field(), surface.at.surfaces[0].bindings, probes);
     std::array<double, 3> expected{};
     for (std::size_t f = 0; f < on_gpu.size(); ++f) {
         const auto& function = synthesis::field_functions[f];
@@ -99,7 +100,7 @@ TEST_P(CatalogueGlsl, AgreesWithDoubles) {
             const Used surface = used(facts.name, settings);
             const int points = surface.field().packing.empty() ? 90 : 30;
             compare(surface,
-                    probes(surface.at.surface.bounds, settings.empty() ? points : points / 2),
+                    probes(surface.at.surfaces[0].bounds, settings.empty() ? points : points / 2),
                     [&](const Result& result, const Probe& at, const std::string& function) {
                         ++all;
                         if (result.is_narrow()) ++narrow;

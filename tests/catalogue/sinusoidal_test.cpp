@@ -56,7 +56,7 @@ TEST_P(Sinusoidal, ValuesAndSlopesMeetAtOne) {
 TEST_P(Sinusoidal, FloatsKeepTheirDigitsAtOne) {
     formula::FieldEvaluator<float> trig(trigonometric.field());
     formula::FieldEvaluator<double> expected(products.field());
-    const auto& floats = trigonometric.at.surface.bindings;
+    const auto& floats = trigonometric.at.surfaces[0].bindings;
     const auto doubles = products.bindings();
     for (const float x : around_one<float>()) {
         SCOPED_TRACE(testing::Message() << "x - 1 = " << std::abs(x) - 1);

@@ -33,9 +33,9 @@ struct Used {
     scene::Scene scene;
     scene::SceneAt at; // its first frame
 
-    const formula::Field& field() const { return *scene.surface.field; }
+    const formula::Field& field() const { return *scene.surfaces[0].field; }
     formula::Bindings<double> bindings() const {
-        return formula::convert<double>(at.surface.bindings);
+        return formula::convert<double>(at.surfaces[0].bindings);
     }
 };
 Used used(const std::string& surface, const std::vector<Setting>& settings = {});

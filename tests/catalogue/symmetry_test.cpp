@@ -90,7 +90,8 @@ TEST_F(CatalogueSymmetry, IsTheRecordedOne) {
         const Used surface = used(facts.name);
         std::vector<Probe> probes;
         for (int k = 0; k < points; ++k) {
-            probes.push_back({glm::vec3(point_in(surface.at.surface.bounds, random)), {1, 0, 0}});
+            probes.push_back(
+                {glm::vec3(point_in(surface.at.surfaces[0].bounds, random)), {1, 0, 0}});
         }
         for (const Image& image : images) {
             for (std::size_t k = 0; k < points; ++k) {
@@ -98,7 +99,7 @@ TEST_F(CatalogueSymmetry, IsTheRecordedOne) {
             }
         }
         const auto values =
-            synthesis::run_on_gpu(surface.field(), surface.at.surface.bindings, probes)[0];
+            synthesis::run_on_gpu(surface.field(), surface.at.surfaces[0].bindings, probes)[0];
 
         Tolerance tolerance(surface);
         std::vector<double> tolerances;

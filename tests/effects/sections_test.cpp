@@ -53,8 +53,8 @@ Judged judged(const scene::Scene& scene, const Picture& picture, int frame = 1) 
     const truth::Tubes all(now, width, height);
     std::vector<truth::Tube> tubes;
     for (int k = 0; k < width * height; ++k) tubes.push_back(all.at(k % width, k / width));
-    truth::EnclosedField field(scene);
-    const auto at_frame = field.at(now, 1);
+    truth::EnclosedField field(*scene.surfaces[0].field);
+    const auto at_frame = field.at(now.surfaces[0], 1);
     truth::RootFinder finder = at_frame.finder();
     std::vector<truth::FirstRoot> roots(tubes.size());
     truth::find_first(finder, truth::Sections(now), tubes, roots);

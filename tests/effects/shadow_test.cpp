@@ -255,8 +255,8 @@ class TrueShadow {
 public:
     TrueShadow(const scene::Scene& scene, const scene::SceneAt& now)
         : now_(now)
-        , programs_(formula::enclosure_programs(*scene.surface.field))
-        , finder_(programs_, now) {}
+        , programs_(formula::enclosure_programs(*scene.surfaces[0].field))
+        , finder_(programs_, now.surfaces[0]) {}
 
     truth::FirstRoot root(const glm::dvec3& from, const glm::dvec3& direction, double radius) {
         truth::Tube tube;
@@ -267,10 +267,10 @@ public:
         tube.footprint = 8 * radius;
         tube.near = tube.near_inside = 0;
         // Beyond the bounds nothing is drawn.
-        const glm::dvec3 way = from - now_.surface.bounds.centre;
+        const glm::dvec3 way = from - now_.surfaces[0].bounds.centre;
         const double b = glm::dot(way, direction);
         const double c =
-            glm::dot(way, way) - now_.surface.bounds.radius * now_.surface.bounds.radius;
+            glm::dot(way, way) - now_.surfaces[0].bounds.radius * now_.surfaces[0].bounds.radius;
         tube.far = tube.far_inside = -b + std::sqrt(std::max(0.0, b * b - c));
         truth::FirstRoot found;
         finder_.find(std::span(&tube, 1), std::span(&found, 1));
@@ -290,7 +290,8 @@ std::vector<std::string> surfaces_in_balls() {
         const std::string name = file.path().stem();
         const scene::Scene scene = scene_of("[surface]\nuse = \"" + name + "\"\n");
         // Truth needs minutes for these; boxes end elsewhere than TrueShadow.
-        if (scene.surface.bounds.shape == scene::Bounds::Shape::sphere && name != "sarti_dodecic") {
+        if (scene.surfaces[0].bounds.shape == scene::Bounds::Shape::sphere &&
+            name != "sarti_dodecic") {
             names.push_back(name);
         }
     }
@@ -311,7 +312,7 @@ TEST_P(CatalogueShadow, IsWhatTruthSays) {
     };
     const scene::Scene scene = scene_of(white(use, "direction = [0.4, -0.5, 1]", true));
     const scene::SceneAt now = scene::at_frame(scene, 1);
-    const Picture picture = drawn(scene.surface.isolation.step / 2);
+    const Picture picture = drawn(scene.surfaces[0].isolation.step / 2);
     TrueShadow truth(scene, now);
     const double pixel = 2 * glm::length(scene::rays(now, 96, 96).up) / 96;
     int lit = 0, dark = 0, leaks = 0, acne = 0, open = 0;
@@ -347,7 +348,7 @@ TEST_P(CatalogueShadow, IsWhatTruthSays) {
                dark, open, acne, leaks);
     // The offset comes from the gradient and the pixel: another step is another picture only where
     // the roots are others.
-    const Picture finer = drawn(scene.surface.isolation.step / 4);
+    const Picture finer = drawn(scene.surfaces[0].isolation.step / 4);
     EXPECT_LE(different(picture, finer, 0.03f), 96 * 96 / 200);
 }
 

@@ -58,7 +58,7 @@ int wrong(const scene::Scene& scene, const Picture& picture) {
     const scene::SceneAt now = scene::in_formula_coordinates(scene::at_frame(scene, 1));
     const int width = scene.output.width, height = scene.output.height;
     const truth::Truth truth = truth::certify(scene, now, width, height);
-    const truth::Tubes tubes(now, width, height);
+    const truth::Tubes tubes({now, 0}, width, height);
     int wrong = 0;
     for (int k = 0; k < width * height; ++k) {
         const auto at = std::size_t(k);
@@ -349,11 +349,11 @@ TEST(Surfaces, SettingsChangeAlike) {
     const scene::Scene fine = scene_with(0.01, 0.02), coarse = scene_with(0.04, 0.08);
     Renderer adjusted = renderer_of(fine), anew = renderer_of(coarse);
     const auto before = evaluations(adjusted, fine);
-    adjusted.adjust(coarse.surface.isolation);
+    adjusted.adjust(coarse.surfaces[0].isolation);
     const auto after = evaluations(adjusted, fine);
     EXPECT_LT(after, before);
     EXPECT_EQ(after, evaluations(anew, coarse));
-    adjusted.adjust(fine.surface.isolation);
+    adjusted.adjust(fine.surfaces[0].isolation);
     EXPECT_EQ(evaluations(adjusted, fine), before);
 }
 

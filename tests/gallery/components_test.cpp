@@ -21,9 +21,9 @@ int components(const Scene& scene, int frame, int n, float sign) {
     std::vector<float> x(count), y(count), z(count), f(count);
     for (std::size_t k = 0; k < count; ++k) {
         const auto coordinate = [&](std::size_t index, int axis) {
-            return float(now.surface.bounds.min[axis] +
+            return float(now.surfaces[0].bounds.min[axis] +
                          (double(index) + 0.5) / n *
-                             (now.surface.bounds.max[axis] - now.surface.bounds.min[axis]));
+                             (now.surfaces[0].bounds.max[axis] - now.surfaces[0].bounds.min[axis]));
         };
         x[k] = coordinate(k % std::size_t(n), 0);
         y[k] = coordinate(k / std::size_t(n) % std::size_t(n), 1);
@@ -31,8 +31,8 @@ int components(const Scene& scene, int frame, int n, float sign) {
     }
     const std::array<std::span<const float>, 3> inputs{x, y, z};
     const std::array<std::span<float>, 1> outputs{f};
-    formula::Evaluator<float>(scene.surface.field->value)
-        .points(now.surface.bindings, inputs, outputs);
+    formula::Evaluator<float>(scene.surfaces[0].field->value)
+        .points(now.surfaces[0].bindings, inputs, outputs);
 
     std::vector<std::size_t> parent(count);
     std::iota(parent.begin(), parent.end(), 0u);
@@ -68,8 +68,8 @@ TEST(Components, TheBlobbyFallsFrom75SpheresToOneBodyAndBack) {
 
 TEST(Components, DropsGatherInOnePool) {
     const Scene scene = load("falling_drops");
-    EXPECT_EQ(scene.surface.animation.at(scene.timeline.time(1)).arrays[0].count, 60);
-    EXPECT_EQ(scene.surface.animation.at(scene.timeline.time(61)).arrays[0].count, 300);
+    EXPECT_EQ(scene.surfaces[0].animation.at(scene.timeline.time(1)).arrays[0].count, 60);
+    EXPECT_EQ(scene.surfaces[0].animation.at(scene.timeline.time(61)).arrays[0].count, 300);
     const int at_first = components(scene, 1, 120, 1);
     EXPECT_GT(at_first, 20);
     EXPECT_LE(at_first, 60);

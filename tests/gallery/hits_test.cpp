@@ -31,7 +31,7 @@ std::vector<double> samples(const scene::Scene& scene, const formula::Bindings<d
     std::vector<double> values(count);
     const std::array<std::span<const double>, 3> inputs{points[0], points[1], points[2]};
     const std::array<std::span<double>, 1> outputs{values};
-    formula::Evaluator<double>(scene.surface.field->value).points(bindings, inputs, outputs);
+    formula::Evaluator<double>(scene.surfaces[0].field->value).points(bindings, inputs, outputs);
     return values;
 }
 
@@ -44,19 +44,19 @@ TEST_P(GalleryHits, AreTheFirstRootsThatDenseSamplingFinds) {
     for (const std::string& name : animations_of(GetParam())) {
         SCOPED_TRACE(name);
         // Only the first of several surfaces is drawn; effects/surfaces_test.cpp asks of all.
-        scene::Scene scene =
-            scene::alone(scene::load(name, {"look=none", "output.size=[48,48]"}), 0);
+        const scene::Scene all = scene::load(name, {"look=none", "output.size=[48,48]"});
+        scene::Scene scene = scene::alone({all, 0});
         scene.sections.clear(); // truth/cut_rays_test.cpp asks of what they leave
         const int frame = scene.output.poster;
         const scene::SceneAt now = scene::at_frame(scene, frame);
         const Picture picture = draw(*context, scene, frame);
-        const auto bindings = formula::convert<double>(now.surface.bindings);
+        const auto bindings = formula::convert<double>(now.surfaces[0].bindings);
         const scene::Rays rays = scene::rays(now, side, side);
         const auto channel = [&](const char* of, std::size_t k) {
             return double(picture.frame.find(of)->samples[k]);
         };
         // Roots are told apart at this distance along a ray.
-        const double close = now.surface.bounds.radius / 1000;
+        const double close = now.surfaces[0].bounds.radius / 1000;
         int checked = 0, false_hits = 0, missed = 0;
         for (int row = 0; row < side; ++row) {
             for (int column = 0; column < side; ++column) {
@@ -69,7 +69,7 @@ TEST_P(GalleryHits, AreTheFirstRootsThatDenseSamplingFinds) {
                 if (verdict == Verdict::hit || verdict == Verdict::zero_gradient) {
                     const glm::dvec3 p(channel("P.X", k), channel("P.Y", k), channel("P.Z", k));
                     const double t =
-                        glm::dot(now.surface.placement.to_local(p) - s.anchor, s.direction);
+                        glm::dot(now.surfaces[0].placement.to_local(p) - s.anchor, s.direction);
                     if (!changes_sign(samples(scene, bindings, s, t - close, t + close, 33))) {
                         ++false_hits;
                     }

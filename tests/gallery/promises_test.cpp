@@ -12,7 +12,7 @@ namespace {
 
 TEST(Promises, EverySurfaceMovesInSomeAnimation) {
     std::set<std::string> moved;
-    for (const std::string& name : animation_names()) moved.insert(load(name).surface.name);
+    for (const std::string& name : animation_names()) moved.insert(load(name).surfaces[0].name);
     for (const std::string& name : surface_names()) {
         // Other forms of a surface, for comparison, need no animation of their own.
         if (name == "chmutov_14_power" || name == "chmutov_22_power") continue;
@@ -37,11 +37,11 @@ TEST(Promises, TheSurfaceItselfMoves) {
         bool moves = false;
         for (int frame = 2; frame <= scene.timeline.frames && !moves; ++frame) {
             const SceneAt now = at_frame(scene, frame);
-            moves = now.surface.bindings.parameters != first.surface.bindings.parameters ||
+            moves = now.surfaces[0].bindings.parameters != first.surfaces[0].bindings.parameters ||
                     scene::packed(now.sections) != scene::packed(first.sections);
-            for (std::size_t a = 0; a < now.surface.bindings.arrays.size(); ++a) {
-                moves = moves || now.surface.bindings.arrays[a].fields !=
-                                     first.surface.bindings.arrays[a].fields;
+            for (std::size_t a = 0; a < now.surfaces[0].bindings.arrays.size(); ++a) {
+                moves = moves || now.surfaces[0].bindings.arrays[a].fields !=
+                                     first.surfaces[0].bindings.arrays[a].fields;
             }
         }
         EXPECT_TRUE(moves) << name;
@@ -52,11 +52,11 @@ TEST(Promises, ParametersStayInTheSurfacesRanges) {
     for (const std::string& name : animation_names()) {
         const Scene scene = load(name);
         for (int frame = 1; frame <= scene.timeline.frames; ++frame) {
-            const auto values = scene.surface.animation.at(scene.timeline.time(frame)).tracks;
-            for (std::size_t k = 0; k < scene.surface.ranges.size(); ++k) {
-                ASSERT_TRUE(scene.surface.ranges[k].contains(values[k]))
+            const auto values = scene.surfaces[0].animation.at(scene.timeline.time(frame)).tracks;
+            for (std::size_t k = 0; k < scene.surfaces[0].ranges.size(); ++k) {
+                ASSERT_TRUE(scene.surfaces[0].ranges[k].contains(values[k]))
                     << name << " frame " << frame << ": "
-                    << scene.surface.animation.tracks()[k].name << " = " << values[k];
+                    << scene.surfaces[0].animation.tracks()[k].name << " = " << values[k];
             }
         }
     }
@@ -87,14 +87,14 @@ TEST(Promises, SurfacesOfOneColourStayInTheirBounds) {
     int whole = 0;
     for (const std::string& name : animation_names()) {
         const Scene scene = load(name);
-        if (scene.surface.material.inside || !scene.sections.empty()) continue;
+        if (scene.surfaces[0].material.inside || !scene.sections.empty()) continue;
         ++whole;
-        formula::FieldEvaluator<double> field(*scene.surface.field);
+        formula::FieldEvaluator<double> field(*scene.surfaces[0].field);
         for (int frame = 1; frame <= scene.timeline.frames; frame += 3) {
             const SceneAt now = at_frame(scene, frame);
-            const auto bindings = formula::convert<double>(now.surface.bindings);
+            const auto bindings = formula::convert<double>(now.surfaces[0].bindings);
             int negative = 0, positive = 0;
-            for (const glm::dvec3& p : boundary(now.surface.bounds, 500)) {
+            for (const glm::dvec3& p : boundary(now.surfaces[0].bounds, 500)) {
                 const double f = field.value(bindings, {p.x, p.y, p.z});
                 negative += f < 0;
                 positive += f > 0;

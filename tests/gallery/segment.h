@@ -22,17 +22,17 @@ inline Segment segment(const scene::SceneAt& now, const scene::Rays& rays, int s
     const glm::dvec3 across = u * rays.right + v * rays.up;
     const glm::dvec3 from_eye = rays.parallel ? rays.axis : rays.axis + across;
     Segment s{rays.origin + across, glm::normalize(from_eye)};
-    if (now.surface.bounds.shape == scene::Bounds::Shape::sphere) {
-        const glm::dvec3 from = s.anchor - now.surface.bounds.centre;
+    if (now.surfaces[0].bounds.shape == scene::Bounds::Shape::sphere) {
+        const glm::dvec3 from = s.anchor - now.surfaces[0].bounds.centre;
         const double middle = -glm::dot(from, s.direction);
-        const double square = now.surface.bounds.radius * now.surface.bounds.radius -
+        const double square = now.surfaces[0].bounds.radius * now.surfaces[0].bounds.radius -
                               glm::dot(from, from) + middle * middle;
         if (square < 0) return s;
         s.near = middle - std::sqrt(square);
         s.far = middle + std::sqrt(square);
     } else {
-        const glm::dvec3 a = (now.surface.bounds.min - s.anchor) / s.direction;
-        const glm::dvec3 b = (now.surface.bounds.max - s.anchor) / s.direction;
+        const glm::dvec3 a = (now.surfaces[0].bounds.min - s.anchor) / s.direction;
+        const glm::dvec3 b = (now.surfaces[0].bounds.max - s.anchor) / s.direction;
         const glm::dvec3 enter = glm::min(a, b), leave = glm::max(a, b);
         s.near = std::max({enter.x, enter.y, enter.z});
         s.far = std::min({leave.x, leave.y, leave.z});

@@ -31,12 +31,13 @@ std::uint64_t census_seed() {
 
 Census census_of(const std::string& surface, const std::vector<scene::Override>& settings) {
     const scene::Scene scene = scene_of("[surface]\n" + surface + "\n", settings);
-    const std::vector<double> tracks = scene.surface.animation.at(scene.timeline.time(1)).tracks;
+    const std::vector<double> tracks =
+        scene.surfaces[0].animation.at(scene.timeline.time(1)).tracks;
     formula::Bindings<double> bindings;
-    bindings.parameters.assign(tracks.begin(), tracks.begin() + scene.surface.parameters);
+    bindings.parameters.assign(tracks.begin(), tracks.begin() + scene.surfaces[0].parameters);
     Effort effort;
     effort.seed = census_seed();
-    return singular_points(*scene.surface.field, bindings, effort);
+    return singular_points(*scene.surfaces[0].field, bindings, effort);
 }
 
 std::string describe(const Census& census) {

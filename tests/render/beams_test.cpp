@@ -45,9 +45,9 @@ private:
                  const scene::SceneAt& now, const scene::Aim& aim) {
         if (!renderer) {
             scene::Scene changed = scene_;
-            changed.surface.isolation.method = scene::Method::amp_sign;
-            changed.surface.isolation.beam = beam;
-            changed.surface.isolation.step /= finer;
+            changed.surfaces[0].isolation.method = scene::Method::amp_sign;
+            changed.surfaces[0].isolation.beam = beam;
+            changed.surfaces[0].isolation.step /= finer;
             scenes_.push_back(std::make_unique<scene::Scene>(std::move(changed)));
             const scene::Scene& drawn = *scenes_.back();
             renderer = std::make_unique<Renderer>(
@@ -87,9 +87,9 @@ protected:
         const auto depth = [&](const Picture& picture, std::size_t k) {
             const glm::dvec3 p(channel(picture, "P.X")[k], channel(picture, "P.Y")[k],
                                channel(picture, "P.Z")[k]);
-            return glm::dot(p - now.surface.placement.translate, ahead);
+            return glm::dot(p - now.surfaces[0].placement.translate, ahead);
         };
-        const double near = 0.02 * now.surface.bounds.radius * now.surface.placement.scale;
+        const double near = 0.02 * now.surfaces[0].bounds.radius * now.surfaces[0].placement.scale;
         const auto is_lost = [&](const Picture& a, std::size_t k) { return !found(a, k); };
         const auto is_later = [&](const Picture& a, std::size_t k) {
             return found(a, k) && depth(a, k) > depth(plain, k) + near;
@@ -121,13 +121,13 @@ TEST_P(Beams, LoseNoHitOfAnyAnimation) {
         SCOPED_TRACE(name);
         scene::Scene scene = scene::load(name, {"look=none", size});
         // What is compared is the eye's rays.
-        scene.surface.material.reflection = scene::Material::Reflection::none;
-        scene.surface.material.paint.reset();
+        scene.surfaces[0].material.reflection = scene::Material::Reflection::none;
+        scene.surfaces[0].material.paint.reset();
         scene.environment.reset();
         scene.occlusion.reset();
         scene.ground.reset();
         for (auto& light : scene.lights) light.shadow = false;
-        if (scene.surface.field->value.instructions.size() > 400) continue; // slow to compile
+        if (scene.surfaces[0].field->value.instructions.size() > 400) continue; // slow to compile
         Views views(*context, scene);
         const Comparison result = compare(views, moment(scene));
         EXPECT_GT(result.hits, 100);
@@ -158,7 +158,7 @@ TEST_P(Beams, LoseNoHitWhereverTheCameraIs) {
                 if (parallel) {
                     from.camera.projection = scene::Camera::Projection::orthographic;
                     from.camera.height =
-                        2.2 * now.surface.bounds.radius * now.surface.placement.scale;
+                        2.2 * now.surfaces[0].bounds.radius * now.surfaces[0].placement.scale;
                     from.camera.zoom = 1;
                 }
                 if (distance < 0.5) from.camera.fov = 100;
@@ -186,7 +186,8 @@ TEST_P(Beams, LoseNoHitOfAnyAimOfALens) {
         for (const bool parallel : {false, true}) {
             if (parallel) {
                 now.camera.projection = scene::Camera::Projection::orthographic;
-                now.camera.height = 2.2 * now.surface.bounds.radius * now.surface.placement.scale;
+                now.camera.height =
+                    2.2 * now.surfaces[0].bounds.radius * now.surfaces[0].placement.scale;
             }
             for (const double aperture : {0.05, 0.8}) {
                 now.camera.aperture = aperture * distance;
@@ -267,7 +268,7 @@ TEST(BeamRange, RoundsAsRaysDoAtTheDepthsOfPieces) {
         const scene::SceneAt now = scene::in_formula_coordinates(scene::at_frame(scene, 1));
         const scene::Rays rays = scene::rays(now, 64, 48);
         const double depth = glm::dot(rays.axis, glm::normalize(glm::cross(rays.up, rays.right)));
-        const auto allowed = scene::ray_rounding(rays, now.surface.bounds, scene::Norm::length);
+        const auto allowed = scene::ray_rounding(rays, now.surfaces[0].bounds, scene::Norm::length);
         const glm::vec4 beam = beam_range(now, 64, 48, {}, 8);
         const double range = double(beam.y) - double(beam.x);
         if (range <= 0) continue; // the bounds are behind the eye

@@ -40,7 +40,7 @@ TEST_P(ClosedForms, SphereHasItsSilhouetteDepthNormalsAndPositions) {
         };
         // A chord shorter than the step can be stepped over by the sign test: the step bounds how
         // far from the silhouette that happens.
-        const double margin = scene.surface.isolation.step * scene.surface.isolation.step;
+        const double margin = scene.surfaces[0].isolation.step * scene.surfaces[0].isolation.step;
         int hits = 0;
         for (int row = 0; row < f.height; ++row) {
             for (int column = 0; column < f.width; ++column) {
@@ -54,7 +54,7 @@ TEST_P(ClosedForms, SphereHasItsSilhouetteDepthNormalsAndPositions) {
                 ASSERT_EQ(verdict, Verdict::hit) << column << "," << row;
                 ++hits;
                 // Ten bisections of a step leave 2^-11 of it; a grazing ray magnifies that in x.
-                const double tolerance = scene.surface.isolation.step / 1024;
+                const double tolerance = scene.surfaces[0].isolation.step / 1024;
                 const double x = 5 - at("Z", k);
                 const double px = at("P.X", k), py = at("P.Y", k), pz = at("P.Z", k);
                 EXPECT_NEAR(px, x, 1e-5);
@@ -122,7 +122,7 @@ TEST_P(ClosedForms, NormalsOfALongFormulaAreItsGradient) {
     text.replace(text.find("x^2 + y^2 + z^2 - 1"), 19, formula);
     const scene::Scene scene = scene_of(text, {"output.size=[40,30]"});
     const Picture picture = draw(*context, scene);
-    formula::FieldEvaluator<double> evaluate(*scene.surface.field);
+    formula::FieldEvaluator<double> evaluate(*scene.surfaces[0].field);
     const auto at = [&](const char* name, std::size_t k) {
         return double(picture.frame.find(name)->samples[k]);
     };
@@ -161,7 +161,7 @@ TEST_P(ClosedForms, OrthographicSphereIsADiscOfItsSize) {
     const auto at = [&](const char* name, int k) {
         return double(f.find(name)->samples[std::size_t(k)]);
     };
-    const double margin = scene.surface.isolation.step * scene.surface.isolation.step;
+    const double margin = scene.surfaces[0].isolation.step * scene.surfaces[0].isolation.step;
     for (int row = 0; row < f.height; ++row) {
         for (int column = 0; column < f.width; ++column) {
             const int k = row * f.width + column;
@@ -174,7 +174,7 @@ TEST_P(ClosedForms, OrthographicSphereIsADiscOfItsSize) {
             }
             if (square < margin) continue;
             ASSERT_EQ(verdict, Verdict::hit) << column << "," << row;
-            const double x = std::sqrt(square), tolerance = scene.surface.isolation.step / 1024;
+            const double x = std::sqrt(square), tolerance = scene.surfaces[0].isolation.step / 1024;
             EXPECT_NEAR(at("Z", k), 5 - x, tolerance);
             EXPECT_NEAR(at("P.Y", k), y, 1e-5);
             EXPECT_NEAR(at("P.Z", k), z, 1e-5);

@@ -23,7 +23,7 @@ count = {}
 {}
 )",
                                                     formula, bounds, count, fields));
-    return least_element_radius(scene, scene::at_frame(scene, 1));
+    return least_element_radius(*scene.surfaces[0].field, scene::at_frame(scene, 1).surfaces[0]);
 }
 
 constexpr const char* anywhere =
@@ -86,7 +86,9 @@ TEST(LeastElementRadius, IsNoneOfWideOnesNorOfNone) {
     EXPECT_EQ(least("sum(blobs, 0*cx*cy*cz) + x - 0.1", 3, anywhere), infinite);
     const scene::Scene sphere =
         scene_of("[surface]\nformula = \"x^2+y^2+z^2-1\"\nbounds = { sphere = 2 }\n");
-    EXPECT_EQ(least_element_radius(sphere, scene::at_frame(sphere, 1)), infinite);
+    EXPECT_EQ(
+        least_element_radius(*sphere.surfaces[0].field, scene::at_frame(sphere, 1).surfaces[0]),
+        infinite);
 }
 
 // A term without a value somewhere, or anywhere, is no reason to step finely or not to end.
@@ -150,8 +152,9 @@ cx = "0.5*i - 0.5"
     ElementRadius remembered;
     for (const int frame : {1, 1, 5, 5, 12, 1}) {
         SCOPED_TRACE(frame);
-        const scene::SceneAt now = scene::at_frame(scene, frame);
-        EXPECT_EQ(remembered.least(scene, now), least_element_radius(scene, now));
+        const scene::SurfaceAt now = scene::at_frame(scene, frame).surfaces[0];
+        const formula::Field& field = *scene.surfaces[0].field;
+        EXPECT_EQ(remembered.least(field, now), least_element_radius(field, now));
     }
 }
 

@@ -61,10 +61,10 @@ Difference difference(const Picture& a, const Picture& b) {
 
 // Draws by a method that goes by bounds and finds first roots wherever it begins.
 Difference beside_all_elements(gpu::Context& context, scene::Scene scene) {
-    scene.surface.isolation.method = scene::Method::interval;
+    scene.surfaces[0].isolation.method = scene::Method::interval;
     EXPECT_TRUE(synthesis::array_with_grid(synthesis::assemble(scene)));
     scene::Scene plain = scene;
-    plain.surface.isolation.beam = false;
+    plain.surfaces[0].isolation.beam = false;
     EXPECT_FALSE(synthesis::array_with_grid(synthesis::assemble(plain)));
     return difference(draw(context, plain), draw(context, scene));
 }
@@ -142,9 +142,9 @@ reflection = "self"
 [occlusion]
 )toml";
     scene::Scene scene = elements(formula, 600, effects);
-    scene.surface.isolation.method = scene::Method::interval;
+    scene.surfaces[0].isolation.method = scene::Method::interval;
     scene::Scene plain = scene;
-    plain.surface.isolation.beam = false;
+    plain.surfaces[0].isolation.beam = false;
     const Picture a = draw(*context, plain), b = draw(*context, scene);
     std::size_t other = 0;
     for (const char* name : {"R", "G", "B"}) {
@@ -161,9 +161,9 @@ TEST_P(Grid, CubicsHitWhatBoundsHit) {
         const std::string power = kernel[0] == 'm' ? ")^3" : ")";
         scene::Scene scene =
             elements(std::string("0.3 - sum(p, ") + kernel + distance + power + ")", 600);
-        ASSERT_EQ(scene.surface.isolation.method, scene::Method::hermite);
+        ASSERT_EQ(scene.surfaces[0].isolation.method, scene::Method::hermite);
         scene::Scene certain = scene;
-        certain.surface.isolation.method = scene::Method::interval;
+        certain.surfaces[0].isolation.method = scene::Method::interval;
         const Difference found = difference(draw(*context, certain), draw(*context, scene));
         EXPECT_GT(found.hits, 250);
         EXPECT_LE(found.other_verdict, 2) << kernel;
@@ -178,11 +178,11 @@ TEST_P(Grid, CubicsLoseNothingOfEqualKeys) {
         elements("least(p, sqrt((x - 0.1 - 0.6*floor(cx/10))^2 + (y - floor(0.5 + cy/10))^2 + "
                  "max(0, abs(z - floor(0.5 + cz/10)) - 0.6)^2) - 0.06)",
                  100);
-    ASSERT_EQ(scene.surface.isolation.method, scene::Method::hermite);
+    ASSERT_EQ(scene.surfaces[0].isolation.method, scene::Method::hermite);
     ASSERT_TRUE(synthesis::array_with_grid(synthesis::assemble(scene)));
     scene::Scene certain = scene;
-    certain.surface.isolation.method = scene::Method::interval;
-    certain.surface.isolation.beam = false;
+    certain.surfaces[0].isolation.method = scene::Method::interval;
+    certain.surfaces[0].isolation.beam = false;
     const Difference found = difference(draw(*context, certain), draw(*context, scene));
     EXPECT_GT(found.hits, 10);
     EXPECT_LE(found.other_verdict, 1);
@@ -210,12 +210,12 @@ TEST_P(Grid, DrawsNoElementOneAndMoreThanAShaderCanSum) {
     EXPECT_GT(count(draw(*context, many), Verdict::hit), 250);
     scene::SceneAt now = scene::at_frame(many, 1);
     Renderer renderer(*context, many, {49, 31, every_channel});
-    for (auto& column : now.surface.bindings.arrays[0].fields)
+    for (auto& column : now.surfaces[0].bindings.arrays[0].fields)
         column.resize(std::min<std::size_t>(column.size(), 1));
-    now.surface.bindings.arrays[0].count = 1;
+    now.surfaces[0].bindings.arrays[0].count = 1;
     EXPECT_LE(count(renderer.draw(now), Verdict::hit), 4);
-    now.surface.bindings.arrays[0].count = 0;
-    for (auto& column : now.surface.bindings.arrays[0].fields) column.clear();
+    now.surfaces[0].bindings.arrays[0].count = 0;
+    for (auto& column : now.surfaces[0].bindings.arrays[0].fields) column.clear();
     EXPECT_EQ(count(renderer.draw(now), Verdict::hit), 0);
 }
 

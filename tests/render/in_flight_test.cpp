@@ -143,8 +143,8 @@ TEST_P(InFlight, RenderersOfOneContextKeepTheirSurroundings) {
         "reflection = 'self'\n";
     const scene::Scene scene = render::scene_of(text);
     scene::Scene other = scene;
-    other.surface.isolation.method = scene::Method::amp_sign;
-    other.surface.isolation.step = 0.05;
+    other.surfaces[0].isolation.method = scene::Method::amp_sign;
+    other.surfaces[0].isolation.step = 0.05;
     Renderer first(*context, scene, {40, 30, {}, {}});
     const Picture before = first.draw(at(scene, 1));
     {

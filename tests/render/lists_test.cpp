@@ -25,9 +25,9 @@ protected:
     Difference compare(const scene::Scene& scene, int frame, bool expect_lists = true,
                        scene::Method method = scene::Method::interval) {
         scene::Scene plain = scene, beams = scene;
-        plain.surface.isolation.method = beams.surface.isolation.method = method;
-        plain.surface.isolation.beam = false;
-        beams.surface.isolation.beam = true;
+        plain.surfaces[0].isolation.method = beams.surfaces[0].isolation.method = method;
+        plain.surfaces[0].isolation.beam = false;
+        beams.surfaces[0].isolation.beam = true;
         EXPECT_EQ(synthesis::assemble(beams).arrays.at(0).has_lists, expect_lists);
         return difference(draw(*context, plain, frame), draw(*context, beams, frame),
                           scene::at_frame(scene, frame));
@@ -40,7 +40,7 @@ protected:
             return std::span<const float>(picture.frame.find(name)->samples);
         };
         const auto a = channel(plain, "verdict"), b = channel(beams, "verdict");
-        const double radius = now.surface.bounds.radius * now.surface.placement.scale;
+        const double radius = now.surfaces[0].bounds.radius * now.surfaces[0].placement.scale;
         for (std::size_t k = 0; k < a.size(); ++k) {
             if (Verdict(int(a[k])) != Verdict::hit) continue;
             result.lost += a[k] != b[k];
@@ -167,14 +167,15 @@ TEST_P(Lists, FollowANumberOfElementsThatChanges) {
     const scene::Scene scene =
         scene_of(blobs(75, gaussian(30, 0.5), "[isolation]\nmethod = \"hermite\"\nbeam = true\n"));
     scene::Scene plain = scene;
-    plain.surface.isolation.beam = false;
+    plain.surfaces[0].isolation.beam = false;
     Renderer with(*context, scene, {97, 61, every_channel, {}});
     Renderer without(*context, plain, {97, 61, every_channel, {}});
     for (const int count : {75, 3, 0, 40, 1, 75}) {
         SCOPED_TRACE(count);
         scene::SceneAt now = scene::at_frame(scene, 1);
-        now.surface.bindings.arrays[0].count = count;
-        for (auto& field : now.surface.bindings.arrays[0].fields) field.resize(std::size_t(count));
+        now.surfaces[0].bindings.arrays[0].count = count;
+        for (auto& field : now.surfaces[0].bindings.arrays[0].fields)
+            field.resize(std::size_t(count));
         const Difference found = difference(without.draw(now), with.draw(now), now);
         EXPECT_EQ(found.hits > 0, count > 0);
         EXPECT_LE(found.lost, 1);

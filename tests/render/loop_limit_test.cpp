@@ -28,7 +28,7 @@ size = [32, 32]
 TEST_P(LoopLimit, LongSumsAreSummedToTheirEnd) {
     const Picture few = draw(*context, scene_of(blobs(3, "1 + 0*i")));
     scene::Scene long_sum = scene_of(blobs(5001, "max(0, min(1, i - (n - 4)))"));
-    long_sum.surface.isolation.beam = false; // no elements by place
+    long_sum.surfaces[0].isolation.beam = false; // no elements by place
     const Picture many = draw(*context, long_sum);
     EXPECT_GT(count(few, Verdict::hit), 100);
     EXPECT_EQ(few.verdicts, many.verdicts);

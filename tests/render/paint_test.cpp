@@ -152,12 +152,12 @@ TEST_P(PaintedPictures, CurvaturesAreThoseInDouble) {
                          paint(mean ? "mean_curvature" : "gaussian_curvature",
                                fmt::format("[{}, {}]", -end, end)));
             ASSERT_EQ(synthesis::assemble(scene).march_takes_gradient, subject.name == "long");
-            const formula::Field& field = *scene.surface.field;
+            const formula::Field& field = *scene.surfaces[0].field;
             const formula::Program second = formula::hessian(field);
             formula::Evaluator<double> evaluate_second(second);
             formula::FieldEvaluator<double> evaluate(field);
             const auto bindings =
-                formula::convert<double>(scene::at_frame(scene, 1).surface.bindings);
+                formula::convert<double>(scene::at_frame(scene, 1).surfaces[0].bindings);
             const auto u = [&](const Pixel& pixel) {
                 const std::array<double, 3> p{pixel.position.x, pixel.position.y, pixel.position.z};
                 std::array<double, 6> hessian{};

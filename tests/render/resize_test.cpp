@@ -46,11 +46,11 @@ TEST_P(Resize, AdjustedSettingsAreTheScenesOwn) {
     const scene::SceneAt now = scene::at_frame(coarse, 1);
     Renderer renderer(*context, coarse, {160, 120, every_channel, {}});
     const Picture before = renderer.draw(now);
-    renderer.adjust(fine.surface.isolation);
+    renderer.adjust(fine.surfaces[0].isolation);
     const Picture after = renderer.draw(now);
     EXPECT_GT(after.evaluations(), 4 * before.evaluations());
     EXPECT_TRUE(same_bits(after.frame, draw(*context, fine).frame));
-    scene::Isolation other = fine.surface.isolation;
+    scene::Isolation other = fine.surfaces[0].isolation;
     other.method = scene::Method::marching;
     EXPECT_THROW(renderer.adjust(other), std::invalid_argument);
 }

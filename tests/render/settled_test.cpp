@@ -22,9 +22,9 @@ protected:
     }
 
     Pictures pictures(scene::Scene scene) {
-        scene.surface.isolation.method = scene::Method::hermite;
+        scene.surfaces[0].isolation.method = scene::Method::hermite;
         const auto drawn = [&](bool beam) {
-            scene.surface.isolation.beam = beam;
+            scene.surfaces[0].isolation.beam = beam;
             return draw(*context, scene);
         };
         Pictures both{drawn(false), drawn(true)};
@@ -143,7 +143,7 @@ size = [{}, {}]
         for (std::size_t k = 0; k < x.size(); ++k) {
             double first = -2;
             for (std::size_t plane = 0; plane < 5; ++plane) {
-                const float* abc = now.surface.bindings.parameters.data() + plane; // by name
+                const float* abc = now.surfaces[0].bindings.parameters.data() + plane; // by name
                 first = std::max(first, double(abc[0]) + double(abc[5]) * double(y[k]) +
                                             double(abc[10]) * double(z[k]));
             }

@@ -25,7 +25,7 @@ protected:
     // Draws with beams in both stages or in none: compute shaders have fewer by themselves.
     Picture draw_by(StageChoice stage, scene::Scene scene, int frame,
                     std::optional<MarchPlan> plan = {}) {
-        scene.surface.isolation.beam = synthesis::uses_beams(scene);
+        scene.surfaces[0].isolation.beam = synthesis::uses_beams(scene);
         RenderOptions options{scene.output.width, scene.output.height, every_channel, plan};
         options.stage = stage;
         Renderer renderer(*context, scene, options);

@@ -100,16 +100,16 @@ constexpr scene::Method by_default = scene::Isolation{}.method;
 
 // F times 2^k, as a scene with that formula is loaded.
 scene::Scene of_other_values(scene::Scene scene, int k) {
-    const auto field = formula::scaled(*scene.surface.field, std::ldexp(1.0, k));
-    const double scale = scene::field_scale(field, scene::at_frame(scene, 1));
-    scene.surface.field = std::make_shared<formula::Field>(formula::scaled(field, scale));
+    const auto field = formula::scaled(*scene.surfaces[0].field, std::ldexp(1.0, k));
+    const double scale = scene::field_scale(field, scene::at_frame(scene, 1).surfaces[0]);
+    scene.surfaces[0].field = std::make_shared<formula::Field>(formula::scaled(field, scale));
     return scene;
 }
 
 // The scene so many times as large, and its camera with it.
 scene::SceneAt of_other_size(scene::SceneAt now, double scale) {
-    now.surface.placement.translate *= scale;
-    now.surface.placement.scale *= scale;
+    now.surfaces[0].placement.translate *= scale;
+    now.surfaces[0].placement.scale *= scale;
     now.camera.position *= scale;
     now.camera.target *= scale;
     now.camera.height *= scale;
@@ -169,7 +169,7 @@ Looked look(const HardCase& a_case, scene::Method method) {
     const std::string& certain = a_case.truth.empty() ? a_case.scene : a_case.truth;
     const scene::Scene easy = scene_of(certain);
     scene::Scene hard = scene_of(a_case.scene);
-    hard.surface.isolation.method = method;
+    hard.surfaces[0].isolation.method = method;
 
     Looked looked;
     looked.picture = render::draw(context(), hard);

@@ -48,15 +48,16 @@ std::string term(int n, Form form, const std::string& x) {
 // An eighth of the paper's step, so that what is wrong comes from rounding.
 std::string chmutov(int n, Form form) {
     const scene::Scene from = render::scene_of(surface(fmt::format("chmutov_{}", n)));
-    const scene::Isolation& isolation = from.surface.isolation;
+    const scene::Isolation& isolation = from.surfaces[0].isolation;
     const scene::SceneAt now = scene::at_frame(from, 1);
     return fmt::format("[surface]\nformula = \"{} + {} + {} + c\"\nbounds = {{ box = [[{}, {}, "
                        "{}], [{}, {}, {}]] }}\n"
                        "[parameters]\nc = 0\n"
                        "[isolation]\nstep = {}\nnear = {}\nfar = {}\nhorizon = {}\n",
                        term(n, form, "x"), term(n, form, "y"), term(n, form, "z"),
-                       now.surface.bounds.min.x, now.surface.bounds.min.y, now.surface.bounds.min.z,
-                       now.surface.bounds.max.x, now.surface.bounds.max.y, now.surface.bounds.max.z,
+                       now.surfaces[0].bounds.min.x, now.surfaces[0].bounds.min.y,
+                       now.surfaces[0].bounds.min.z, now.surfaces[0].bounds.max.x,
+                       now.surfaces[0].bounds.max.y, now.surfaces[0].bounds.max.z,
                        isolation.step / 8, isolation.near, isolation.far, isolation.horizon);
 }
 

@@ -22,8 +22,10 @@ int different(const render::Picture& a, const render::Picture& b) {
 // The scene scaled and moved, and its camera, ground and sections, which lie in the world, with it.
 scene::SceneAt moved(scene::SceneAt now, double scale, const glm::dvec3& by) {
     const auto place = [&](const glm::dvec3& p) { return by + scale * p; };
-    now.surface.placement.translate = place(now.surface.placement.translate);
-    now.surface.placement.scale *= scale;
+    for (scene::SurfaceAt& surface : now.surfaces) {
+        surface.placement.translate = place(surface.placement.translate);
+        surface.placement.scale *= scale;
+    }
     now.camera.position = place(now.camera.position);
     now.camera.target = place(now.camera.target);
     now.camera.height *= scale;
@@ -34,11 +36,6 @@ scene::SceneAt moved(scene::SceneAt now, double scale, const glm::dvec3& by) {
             section.where = place(section.where);
         else
             section.reach += dot(section.where, by);
-    }
-    for (scene::SceneAt& other : now.others) {
-        other.surface.placement.translate = place(other.surface.placement.translate);
-        other.surface.placement.scale *= scale;
-        scene::share(now, other);
     }
     return now;
 }

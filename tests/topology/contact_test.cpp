@@ -28,7 +28,7 @@ struct Contact {
         AnalyseOptions how;
         how.solids = solids;
         if (is_turned_round) std::swap(how.solids[0], how.solids[1]);
-        return analyse_contact(scene::alone(scene, 0), scene::alone(scene, 1), how);
+        return analyse_contact({scene, 0}, {scene, 1}, how);
     }
 };
 
@@ -219,8 +219,7 @@ TEST(Contact, IsProvedOrRefused) {
         scene_of("[time]\nframes = 2\n[[surfaces]]\n" + ball + "[[surfaces]]\n" + ball);
     AnalyseOptions how;
     how.certify = Certify::off;
-    EXPECT_THROW(analyse_contact(scene::alone(scene, 0), scene::alone(scene, 1), how),
-                 std::invalid_argument);
+    EXPECT_THROW(analyse_contact({scene, 0}, {scene, 1}, how), std::invalid_argument);
 }
 
 // Scenes are refused for such a scale at frames only. In between, both bodies shrink to one point.

@@ -130,7 +130,7 @@ TEST(KinkedTimelines, OfRandomSolidsAreThoseOfGrids) {
             if (!step.is_proved || !step.solid || !(step.time.hi - step.time.lo > 0.05)) continue;
             const StillScene still(scene, middle(step.time));
             const auto counted = [&](int side) {
-                return betti(frame_signs(*scene.surface.field, still.numbers, still.bounds,
+                return betti(frame_signs(*scene.surfaces[0].field, still.numbers, still.bounds,
                                          solid_side(scene), side));
             };
             const Betti coarse = counted(72);

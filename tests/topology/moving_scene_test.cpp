@@ -78,8 +78,8 @@ TEST(MovingFrame, BetweenEventsAsGrids) {
             if (!before.after || after.time.lo - before.time.hi < 0.02) continue;
             ++compared;
             const StillScene frame(scene, mid(formula::Interval(before.time.hi, after.time.lo)));
-            const SignGrid grid =
-                frame_signs(*scene.surface.field, frame.numbers, frame.bounds, Side::positive, 128);
+            const SignGrid grid = frame_signs(*scene.surfaces[0].field, frame.numbers, frame.bounds,
+                                              Side::positive, 128);
             EXPECT_EQ(*before.after, betti(grid)) << "seed " << seed << ", event " << k;
         }
     }

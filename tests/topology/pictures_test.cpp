@@ -38,8 +38,8 @@ std::vector<glm::dvec3> directions() {
 void look_from(const glm::dvec3& direction, scene::SceneAt& now) {
     scene::CameraAt& camera = now.camera;
     camera = {};
-    camera.target = now.surface.placement.to_world(now.surface.bounds.centre);
-    const double radius = now.surface.placement.scale * now.surface.bounds.radius;
+    camera.target = now.surfaces[0].placement.to_world(now.surfaces[0].bounds.centre);
+    const double radius = now.surfaces[0].placement.scale * now.surfaces[0].bounds.radius;
     const double half_angle = glm::radians(camera.fov) / 2;
     camera.position = camera.target + 1.02 * radius / std::sin(half_angle) * direction;
     camera.up = std::abs(direction.z) < 0.9 ? glm::dvec3(0, 0, 1) : glm::dvec3(0, 1, 0);
@@ -99,7 +99,7 @@ protected:
         , timeline(read_timeline(golden_file(GetParam())).timeline)
         , steps(steps_of(timeline))
         , sign(solid_side(scene) == Side::negative ? 1 : -1)
-        , field(*scene.surface.field) {}
+        , field(*scene.surfaces[0].field) {}
 
     View draw(double time, const glm::dvec3& direction, int size = side) {
         scene::SceneAt now = scene::at(scene, time);
@@ -114,7 +114,7 @@ protected:
         }
         const render::Picture picture = renderer->draw(now);
         View view{size, scene::rays(now, size, size), {}};
-        const auto bindings = formula::convert<double>(now.surface.bindings);
+        const auto bindings = formula::convert<double>(now.surfaces[0].bindings);
         const auto channel = [&](const char* name, std::size_t k) {
             return picture.frame.find(name)->samples[k];
         };
@@ -131,12 +131,12 @@ protected:
                 } else if (verdict == render::Verdict::hit ||
                            verdict == render::Verdict::zero_gradient) {
                     const glm::dvec3 p(channel("P.X", k), channel("P.Y", k), channel("P.Z", k));
-                    met = glm::distance(now.surface.placement.to_local(p), view.eye());
+                    met = glm::distance(now.surfaces[0].placement.to_local(p), view.eye());
                 }
                 view.distance.push_back(met);
             }
         }
-        radius = now.surface.bounds.radius;
+        radius = now.surfaces[0].bounds.radius;
         return view;
     }
 

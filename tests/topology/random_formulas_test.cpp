@@ -48,7 +48,7 @@ std::string scene_text(unsigned seed) {
 }
 
 Betti counted(const scene::Scene& scene, const StillScene& still, Side solid, int side) {
-    return betti(frame_signs(*scene.surface.field, still.numbers, still.bounds, solid, side));
+    return betti(frame_signs(*scene.surfaces[0].field, still.numbers, still.bounds, solid, side));
 }
 
 // The scene with another level of F.

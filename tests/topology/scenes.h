@@ -56,11 +56,11 @@ struct StillScene {
     std::shared_ptr<const formula::Field> field;
 
     StillScene(const scene::Scene& scene, double time)
-        : field(scene.surface.field) {
+        : field(scene.surfaces[0].field) {
         const scene::SceneAt now = scene::at(scene, time);
-        numbers = formula::convert<double>(now.surface.bindings);
+        numbers = formula::convert<double>(now.surfaces[0].bindings);
         intervals = formula::convert<formula::Interval>(numbers);
-        bounds = now.surface.bounds;
+        bounds = now.surfaces[0].bounds;
     }
 
     SpaceFormula formula(Side solid) const { return space_formula(*field, intervals, solid); }

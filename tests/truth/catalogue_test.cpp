@@ -18,8 +18,8 @@ void use_source_tree() { setenv("ISOMOTION_DATA", ISOMOTION_SOURCE_DIR, /*overwr
 class Samples {
 public:
     explicit Samples(const View& view)
-        : value_(view.scene.surface.field->value)
-        , bindings_(formula::convert<double>(view.now.surface.bindings)) {}
+        : value_(view.scene.surfaces[0].field->value)
+        , bindings_(formula::convert<double>(view.now.surfaces[0].bindings)) {}
 
     double at(const Tube& tube, double t) {
         const glm::dvec3 p = tube.anchor + t * tube.direction;
@@ -140,7 +140,7 @@ const std::set<std::string> rather_uncertain{"chmutov_22_power", "high_silhouett
 View picture_of(const std::string& surface) {
     const std::string use = fmt::format("[surface]\nuse = \"{}\"\n", surface);
     const scene::Scene scene = scene_of(use);
-    const scene::BoundsAt bounds = scene::at_frame(scene, 1).surface.bounds;
+    const scene::BoundsAt bounds = scene::at_frame(scene, 1).surfaces[0].bounds;
     const glm::dvec3 &to = bounds.centre,
                      from = to + 3 * bounds.radius * glm::normalize(glm::dvec3(0.53, -0.71, 0.43));
     return View(scene_of(use + fmt::format("[camera]\nposition = [{}, {}, {}]\n"

@@ -55,8 +55,8 @@ Tally check(const std::string& sections, const std::string& camera, int side = 3
     std::vector<Tube> tubes;
     for (int pixel = 0; pixel < side * side; ++pixel)
         tubes.push_back(all.at(pixel % side, pixel / side));
-    const formula::EnclosurePrograms field = formula::enclosure_programs(*scene.surface.field);
-    RootFinder finder(field, now);
+    const formula::EnclosurePrograms field = formula::enclosure_programs(*scene.surfaces[0].field);
+    RootFinder finder(field, now.surfaces[0]);
     std::vector<FirstRoot> roots(tubes.size());
     find_first(finder, Sections(now), tubes, roots);
     Tally tally;

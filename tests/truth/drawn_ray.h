@@ -87,11 +87,11 @@ struct Uniforms {
         right = rays.right;
         up = rays.up;
         parallel = rays.parallel ? 0.0f : 1.0f;
-        shape = now.surface.bounds.shape;
-        min = now.surface.bounds.min;
-        max = now.surface.bounds.max;
-        centre = now.surface.bounds.centre;
-        radius = float(now.surface.bounds.radius);
+        shape = now.surfaces[0].bounds.shape;
+        min = now.surfaces[0].bounds.min;
+        max = now.surfaces[0].bounds.max;
+        centre = now.surfaces[0].bounds.centre;
+        radius = float(now.surfaces[0].bounds.radius);
         picture = {float(2.0 / width), float(2.0 / height)};
     }
 };

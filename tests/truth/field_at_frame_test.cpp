@@ -28,8 +28,8 @@ class ManyElements : public testing::TestWithParam<std::string> {};
 
 TEST_P(ManyElements, HaveTheRootsOfTheirSum) {
     const View all(scene_of(scene_text(GetParam(), 150)), 24, 24, {.evaluations = 4000});
-    EnclosedField field(all.scene);
-    const EnclosedField::Frame frame = field.at(all.now, 2);
+    EnclosedField field(*all.scene.surfaces[0].field);
+    const EnclosedField::Frame frame = field.at(all.now.surfaces[0], 2);
     std::vector<FirstRoot> roots(all.tubes.size());
     frame.finder({.evaluations = 4000}).find(all.tubes, roots);
     int hits = 0, misses = 0, undecided = 0, undecided_of_all = 0;

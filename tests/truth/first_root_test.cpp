@@ -13,7 +13,7 @@ namespace {
 FirstRoot answer(const View& view) { return view.roots.at(0); }
 
 void expect_hit(const View& view, double at, double width = 1e-4) {
-    SCOPED_TRACE(view.scene.surface.field->text);
+    SCOPED_TRACE(view.scene.surfaces[0].field->text);
     const FirstRoot root = answer(view);
     EXPECT_EQ(root.answer, Answer::hit) << testing::PrintToString(root);
     EXPECT_LE(root.low, at);
@@ -23,7 +23,7 @@ void expect_hit(const View& view, double at, double width = 1e-4) {
 
 // Something may touch zero all over [from, to] and not much further.
 void expect_touching(const View& view, double from, double to, double width = 0.02) {
-    SCOPED_TRACE(view.scene.surface.field->text);
+    SCOPED_TRACE(view.scene.surfaces[0].field->text);
     const FirstRoot root = answer(view);
     EXPECT_EQ(root.answer, Answer::touching) << testing::PrintToString(root);
     EXPECT_LE(root.touch_low, from);
@@ -32,7 +32,7 @@ void expect_touching(const View& view, double from, double to, double width = 0.
 }
 
 void expect_miss(const View& view) {
-    SCOPED_TRACE(view.scene.surface.field->text);
+    SCOPED_TRACE(view.scene.surfaces[0].field->text);
     EXPECT_EQ(answer(view).answer, Answer::miss) << testing::PrintToString(answer(view));
 }
 
@@ -268,8 +268,9 @@ void expect_same(const FirstRoot& a, const FirstRoot& b) {
 
 TEST(FirstRoot, IsTheSameAloneAndAmongOthers) {
     const View view = picture("(x^2 + y^2 - 0.5)^2 + (y*z - 0.125)^2 - 0.03125", from_aside, 24);
-    const formula::EnclosurePrograms field = formula::enclosure_programs(*view.scene.surface.field);
-    RootFinder finder(field, view.now);
+    const formula::EnclosurePrograms field =
+        formula::enclosure_programs(*view.scene.surfaces[0].field);
+    RootFinder finder(field, view.now.surfaces[0]);
     for (std::size_t k = 0; k < view.roots.size(); k += 7) {
         FirstRoot alone{Answer::undecided, true, 1, 2, 3, 4, {}}; // what was there before goes
         finder.find({&view.tubes[k], 1}, {&alone, 1});

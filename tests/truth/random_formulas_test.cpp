@@ -78,13 +78,13 @@ std::array<int, 4> attack(unsigned seed) {
     const std::string formula = formula::StrangerFormula(seed).text();
     SCOPED_TRACE(testing::Message() << formula << ", seed " << seed << " (ISOMOTION_SEED)");
     const View view(scene_of(scene_text(formula, random)), side, side, {.evaluations = 2000});
-    const formula::Field& field = *view.scene.surface.field;
+    const formula::Field& field = *view.scene.surfaces[0].field;
     formula::Graph graph = field.graph;
     // Where a part of F has no value there is no surface, whatever min and max make of it.
     const formula::Program program =
         formula::schedule_lowered(graph, formula::with_gaps(graph, field.root));
     formula::Evaluator<double> evaluator(program);
-    const auto bindings = formula::convert<double>(view.now.surface.bindings);
+    const auto bindings = formula::convert<double>(view.now.surfaces[0].bindings);
     std::array<int, 4> answers{};
     for (std::size_t k = 0; k < view.tubes.size(); ++k) {
         const Tube& tube = view.tubes[k];

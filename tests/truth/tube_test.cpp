@@ -25,7 +25,8 @@ constexpr std::array<const char*, 5> kinds{"perspective", "orthographic", "far a
 
 Case random_case(Random& random, int kind) {
     Case c;
-    scene::BoundsAt& bounds = c.now.surface.bounds;
+    c.now.surfaces.resize(1);
+    scene::BoundsAt& bounds = c.now.surfaces[0].bounds;
     const double size = random.size(1e-4, 1e4);
     bounds.centre =
         random.below(2) ? glm::dvec3(0) : random.size(0.1, 10) * size * random.direction();
@@ -41,7 +42,7 @@ Case random_case(Random& random, int kind) {
         bounds.min = bounds.centre - size;
         bounds.max = bounds.centre + size;
     }
-    scene::PlacementAt& place = c.now.surface.placement;
+    scene::PlacementAt& place = c.now.surfaces[0].placement;
     place.scale = random.size(1e-2, 1e2);
     place.translate = random.in(0, 10) * random.direction();
 
@@ -178,7 +179,7 @@ TEST_P(DrawnTube, IsOrderedAndLiesOnItsRay) {
                     1e-9 * tube.footprint + 1e-14 * glm::length(tube.anchor));
         // A ray of perspective comes from the eye, rounded as its axis is.
         if (c.now.camera.projection == scene::Camera::Projection::perspective) {
-            const glm::dvec3 eye = c.now.surface.placement.to_local(c.now.camera.position);
+            const glm::dvec3 eye = c.now.surfaces[0].placement.to_local(c.now.camera.position);
             const glm::dvec3 to_eye = eye - tube.anchor;
             const glm::dvec3 off = to_eye - glm::dot(to_eye, tube.direction) * tube.direction;
             EXPECT_LE(glm::length(off), 4 * 0x1p-24 * (glm::length(eye) + glm::length(to_eye)));
@@ -189,12 +190,12 @@ TEST_P(DrawnTube, IsOrderedAndLiesOnItsRay) {
         EXPECT_LT(tube.far_inside, tube.far);
         // What is certainly inside is inside, and what is certainly outside is not.
         const auto outside = [&](double t) {
-            const glm::dvec3 p = tube.anchor + t * tube.direction - c.now.surface.bounds.centre;
-            if (c.now.surface.bounds.shape == scene::Bounds::Shape::sphere) {
-                return glm::length(p) - c.now.surface.bounds.radius;
+            const glm::dvec3 p = tube.anchor + t * tube.direction - c.now.surfaces[0].bounds.centre;
+            if (c.now.surfaces[0].bounds.shape == scene::Bounds::Shape::sphere) {
+                return glm::length(p) - c.now.surfaces[0].bounds.radius;
             }
             const glm::dvec3 past =
-                glm::abs(p) - (c.now.surface.bounds.max - c.now.surface.bounds.centre);
+                glm::abs(p) - (c.now.surfaces[0].bounds.max - c.now.surfaces[0].bounds.centre);
             return std::max({past.x, past.y, past.z});
         };
         for (const double t : {tube.near_inside, tube.far_inside}) {
@@ -208,7 +209,8 @@ INSTANTIATE_TEST_SUITE_P(Cameras, DrawnTube, testing::Range(0, int(kinds.size())
 
 TEST(TubeOfAPixel, WhoseRayPassesTheBoundsByIsEmpty) {
     scene::SceneAt now;
-    now.surface.bounds.radius = 1;
+    now.surfaces.resize(1);
+    now.surfaces[0].bounds.radius = 1;
     now.camera.position = {0, 0, 5};
     now.camera.fov = 90;
     const Tubes tubes(now, 64, 64);
@@ -224,7 +226,8 @@ TEST(TubeOfAPixel, WhoseRayPassesTheBoundsByIsEmpty) {
 
 TEST(TubeOfAPixel, BeginsAtAnEyeInsideTheBounds) {
     scene::SceneAt now;
-    now.surface.bounds.radius = 1;
+    now.surfaces.resize(1);
+    now.surfaces[0].bounds.radius = 1;
     now.camera.position = {0, 0, 0.25};
     now.camera.target = {0, 0, -1};
     const Tube tube = Tubes(now, 1, 1).at(0, 0);

@@ -43,9 +43,10 @@ struct View {
         for (int row = 0; row < height; ++row) {
             for (int column = 0; column < width; ++column) tubes.push_back(all.at(column, row));
         }
-        const formula::EnclosurePrograms field = formula::enclosure_programs(*scene.surface.field);
+        const formula::EnclosurePrograms field =
+            formula::enclosure_programs(*scene.surfaces[0].field);
         roots.resize(tubes.size());
-        RootFinder(field, now, budget).find(tubes, roots);
+        RootFinder(field, now.surfaces[0], budget).find(tubes, roots);
     }
 };
 

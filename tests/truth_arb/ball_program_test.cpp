@@ -52,7 +52,7 @@ protected:
         , random(seed) {
         RecordProperty("seed", int(seed));
     }
-    glm::dvec3 somewhere() { return catalogue::point_in(surface.at.surface.bounds, random); }
+    glm::dvec3 somewhere() { return catalogue::point_in(surface.at.surfaces[0].bounds, random); }
 
     catalogue::Used surface;
     formula::Bindings<double> bindings;
@@ -95,7 +95,7 @@ TEST_P(EverySurface, BothProgramsAreOneFunction) {
 TEST_P(EverySurface, EnclosuresHoldTheBalls) {
     const formula::EnclosurePrograms programs = formula::enclosure_programs(surface.field());
     formula::Evaluator<Interval> evaluator(programs.value);
-    const auto intervals = formula::convert<Interval>(surface.at.surface.bindings);
+    const auto intervals = formula::convert<Interval>(surface.at.surfaces[0].bindings);
     BallProgram program(programs.value);
     for (int k = 0; k < points; ++k) {
         const glm::dvec3 p = somewhere();
@@ -118,7 +118,7 @@ TEST_P(EverySurface, EnclosuresHoldTheBalls) {
 TEST_P(EverySurface, SlopesHoldDifferenceQuotients) {
     const formula::EnclosurePrograms programs = formula::enclosure_programs(surface.field());
     formula::Evaluator<Interval> along(programs.directional);
-    const auto intervals = formula::convert<Interval>(surface.at.surface.bindings);
+    const auto intervals = formula::convert<Interval>(surface.at.surfaces[0].bindings);
     BallProgram program(programs.value), ball_along(programs.directional);
     for (int k = 0; k < points; ++k) {
         // Short ways have doubles for ends: the difference of the ends is the direction.

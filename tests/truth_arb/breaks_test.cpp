@@ -36,11 +36,11 @@ class Rays {
 public:
     Rays(const scene::Scene& scene, Counts& counts)
         : now_(scene::at_frame(scene, 1))
-        , programs_(formula::enclosure_programs(*scene.surface.field))
+        , programs_(formula::enclosure_programs(*scene.surfaces[0].field))
         , value_(programs_.value)
-        , bindings_(formula::convert<double>(now_.surface.bindings))
-        , balls_(programs_, now_.surface.bindings)
-        , finder_(programs_, now_, {.evaluations = 4000})
+        , bindings_(formula::convert<double>(now_.surfaces[0].bindings))
+        , balls_(programs_, now_.surfaces[0].bindings)
+        , finder_(programs_, now_.surfaces[0], {.evaluations = 4000})
         , tubes_(now_, side * finer, side * finer)
         , counts_(counts) {}
 

@@ -77,9 +77,10 @@ protected:
     CertifiedRays()
         : scene(scene_named(GetParam()))
         , programs(formula::enclosure_programs(scene.field()))
-        , rays(programs, scene.at.surface.bindings)
-        , finder(programs, scene.at)
-        , patient_finder(programs, scene.at, {.narrow = 0x1p-30, .narrowest = 0x1p-30}) {}
+        , rays(programs, scene.at.surfaces[0].bindings)
+        , finder(programs, scene.at.surfaces[0])
+        , patient_finder(programs, scene.at.surfaces[0],
+                         {.narrow = 0x1p-30, .narrowest = 0x1p-30}) {}
 
     void check(const truth::Tube& tube, const FirstRoot& root) {
         bool proven = true;

@@ -4,7 +4,6 @@
 #include "api/scene/parts.h"
 #include "scene/data_folder.h"
 #include "scene/files_read.h"
-#include "scene/nth_surface.h"
 #include "scene/reading/load.h"
 #include "scene/surfaces.h"
 
@@ -26,9 +25,9 @@ Scene loaded(Scene::Parts parts) {
 }
 
 // The one that is named, or the only one.
-const scene::Scene& surface_of(const scene::Scene& scene, const std::string& name) {
-    if (name.empty() && !scene::has_several_surfaces(scene)) return scene;
-    return scene::nth_surface(scene, std::size_t(scene::surface_named(scene, name, "surface")));
+const scene::Surface& surface_of(const scene::Scene& scene, const std::string& name) {
+    if (name.empty() && scene.surfaces.size() == 1) return scene.surfaces.front();
+    return scene.surfaces[scene::surface_named(scene, name, "surface")];
 }
 
 } // namespace
@@ -91,13 +90,11 @@ std::vector<std::string> Scene::surfaces() const { return scene::surface_names(p
 
 std::map<std::string, double> Scene::parameters(int frame, const std::string& surface) const {
     return with_errors([&] {
-        const scene::Scene& one = surface_of(parts_->scene, surface);
-        const animation::Values values =
-            one.surface.animation.at(one.timeline.time(api::checked_frame(frame)));
-        const auto& tracks = one.surface.animation.tracks();
+        const animation::Animation& animation = surface_of(parts_->scene, surface).animation;
+        const animation::Values values = animation.at(time(api::checked_frame(frame)));
         std::map<std::string, double> parameters;
-        for (std::size_t k = 0; k < one.surface.animation.nameable(); ++k)
-            parameters[tracks[k].name] = values.tracks[k];
+        for (std::size_t k = 0; k < animation.nameable(); ++k)
+            parameters[animation.tracks()[k].name] = values.tracks[k];
         return parameters;
     });
 }

@@ -3,7 +3,6 @@
 #include "api/scene/errors.h"
 #include "api/scene/parts.h"
 #include "scene/found_bounds.h"
-#include "scene/nth_surface.h"
 #include "scene/surfaces.h"
 #include "topology/subject.h"
 #include "topology/timeline/summary.h"
@@ -14,18 +13,14 @@ namespace isomotion {
 namespace {
 
 topology::Subject subject_of(const scene::Scene& scene, const TopologySettings& settings) {
-    if (!scene::has_several_surfaces(scene) && settings.surface.empty() &&
-        settings.touching.empty())
-        return {scene, {}, scene.title};
-    const int first = scene::surface_named(scene, settings.surface, "surface");
-    if (settings.touching.empty()) {
-        scene::Scene one = scene::alone(scene, first);
-        return {one, {}, one.title};
-    }
-    const int second = scene::surface_named(scene, settings.touching, "touching");
+    const bool is_plain = settings.surface.empty() && settings.touching.empty();
+    if (scene.surfaces.size() == 1 && is_plain) return topology::subject_of(scene, 0);
+    const std::size_t first = scene::surface_named(scene, settings.surface, "surface");
+    if (settings.touching.empty()) return topology::subject_of(scene, first);
+    const std::size_t second = scene::surface_named(scene, settings.touching, "touching");
     if (first == second)
         throw Error(Error::Code::input, "a surface touches another one: name two of the scene");
-    return topology::pair_of(scene, first, second);
+    return topology::subject_of(scene, first, second);
 }
 
 topology::Certify certify_of(TopologySettings::Certify certify) {
@@ -45,15 +40,15 @@ topology::AnalyseOptions options_of(const topology::Subject& subject,
     topology::AnalyseOptions how;
     how.certify = certify_of(settings.certify);
     how.first = settings.first;
-    how.last = settings.last != 0 ? settings.last : subject.first.timeline.frames;
+    how.last = settings.last != 0 ? settings.last : subject.first.scene.timeline.frames;
     how.threads = settings.threads;
     if (!(1 <= how.first && how.first < how.last)) {
         throw Error(Error::Code::input,
                     fmt::format("frames {} to {}: a timeline needs two frames, counted from 1",
                                 how.first, how.last));
     }
-    const auto solid = [&](const scene::Scene& scene) {
-        if (!settings.solid_is_negative) return topology::solid_side(scene);
+    const auto solid = [&](const scene::OneSurface& one) {
+        if (!settings.solid_is_negative) return topology::solid_side(one);
         return *settings.solid_is_negative ? topology::Side::negative : topology::Side::positive;
     };
     how.solids[0] = solid(subject.first);
@@ -97,7 +92,7 @@ Topology topology_of(const Scene& scene, const TopologySettings& settings, const
             for (const std::string& why : topology::why_unbounded(subject, how.first))
                 watcher.warn(why);
         }
-        const animation::Timeline& time = subject.first.timeline;
+        const animation::Timeline& time = subject.first.scene.timeline;
         topology::TimelineRecord record{
             topology::header_of(subject, {time.time(how.first), time.time(how.last)},
                                 {*how.solids[0], *how.solids[1]}),

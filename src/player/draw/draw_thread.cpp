@@ -169,7 +169,7 @@ private:
         shown.compiled = true;
         thread_.say_compiling(true);
         scene::Scene scene = *request.scene;
-        scene.surface.isolation = isolation;
+        scene.surfaces.front().isolation = isolation;
         Kept made{.scene = request.scene,
                   .isolation = isolation,
                   .channels = channels,

@@ -5,7 +5,7 @@
 namespace isomotion::player {
 
 scene::Scene with_camera(scene::Scene scene, const scene::CameraAt& camera) {
-    const animation::Animation& own = scene.surface.animation;
+    animation::Animation& own = scene.surfaces.front().animation; // has the camera's tracks
     std::vector<animation::Track> tracks = own.tracks();
     const auto add = [&](const char* name, double value) {
         tracks.push_back({name, value});
@@ -30,7 +30,7 @@ scene::Scene with_camera(scene::Scene scene, const scene::CameraAt& camera) {
         held.focus = add("camera.focus", camera.focus);
     }
     scene.camera = held;
-    scene.surface.animation = animation::Animation(std::move(tracks), own.arrays(), own.seed());
+    own = animation::Animation(std::move(tracks), own.arrays(), own.seed());
     return scene;
 }
 

@@ -1,7 +1,5 @@
 #include "player/model/controls.h"
 
-#include "scene/nth_surface.h"
-
 #include <algorithm>
 #include <cmath>
 #include <set>
@@ -54,8 +52,8 @@ void multiply(Array& array, ArrayField& field, double factor) {
 }
 
 // The times that a scene is looked at: frames from first to last, and every key between.
-std::vector<double> times_of(const scene::Scene& scene) {
-    const animation::Timeline& timeline = scene.timeline;
+std::vector<double> times_of(const scene::OneSurface& one) {
+    const animation::Timeline& timeline = one.scene.timeline;
     std::set<double> times;
     const int count = std::min(timeline.frames, most_samples);
     for (int k = 0; k < count; ++k) {
@@ -63,7 +61,7 @@ std::vector<double> times_of(const scene::Scene& scene) {
         times.insert(timeline.time(frame));
     }
     const double last = timeline.time(timeline.frames);
-    for (const Track& track : scene.surface.animation.tracks()) {
+    for (const Track& track : one.surface.animation.tracks()) {
         const auto* keys = std::get_if<animation::Keys>(&track.source);
         if (!keys) continue;
         for (const animation::Key& key : keys->keys) {
@@ -147,24 +145,24 @@ void put_surface(Overrides& all, const std::string& surface, const Overrides& ow
 }
 
 scene::Scene apply(scene::Scene scene, const Overrides& overrides) {
-    const bool has_several = scene::has_several_surfaces(scene);
-    scene::for_each_surface(scene, [&](scene::Scene& one) {
-        animation::Animation& animation = one.surface.animation;
-        animation =
-            apply(animation, has_several ? of_surface(overrides, one.surface.label) : overrides);
-    });
+    const bool has_several = scene.surfaces.size() > 1;
+    for (scene::Surface& surface : scene.surfaces) {
+        surface.animation = apply(surface.animation,
+                                  has_several ? of_surface(overrides, surface.label) : overrides);
+    }
     return scene;
 }
 
-std::vector<SliderRange> slider_ranges(const scene::Scene& scene) {
-    const auto& tracks = scene.surface.animation.tracks();
+std::vector<SliderRange> slider_ranges(const scene::OneSurface& one) {
+    const scene::Surface& surface = one.surface;
+    const auto& tracks = surface.animation.tracks();
     std::vector<SliderRange> ranges;
-    ranges.reserve(std::size_t(scene.surface.parameters));
-    for (int k = 0; k < scene.surface.parameters; ++k) {
+    ranges.reserve(std::size_t(surface.parameters));
+    for (int k = 0; k < surface.parameters; ++k) {
         ranges.push_back({tracks[std::size_t(k)].name, k, HUGE_VAL, -HUGE_VAL, false});
     }
-    for (const double time : times_of(scene)) {
-        const animation::Values values = scene.surface.animation.at(time);
+    for (const double time : times_of(one)) {
+        const animation::Values values = surface.animation.at(time);
         for (SliderRange& range : ranges) {
             const double value = values.tracks[std::size_t(range.track)];
             if (!std::isfinite(value)) continue;
@@ -176,7 +174,7 @@ std::vector<SliderRange> slider_ranges(const scene::Scene& scene) {
         if (range.least > range.most) range.least = range.most = 0; // never a number
         range.moves = range.least < range.most;
         const auto k = std::size_t(range.track);
-        widen(range, k < scene.surface.ranges.size() ? scene.surface.ranges[k] : scene::Range{});
+        widen(range, k < surface.ranges.size() ? surface.ranges[k] : scene::Range{});
     }
     return ranges;
 }
@@ -192,10 +190,9 @@ std::vector<Slider> sliders(const std::vector<SliderRange>& ranges, const animat
     return sliders;
 }
 
-std::vector<ArrayControls> array_controls(const scene::Scene& scene,
+std::vector<ArrayControls> array_controls(const Animation& animation,
                                           const animation::Values& values,
                                           const Overrides& overrides) {
-    const Animation& animation = scene.surface.animation;
     std::vector<ArrayControls> all;
     for (std::size_t a = 0; a < animation.arrays().size(); ++a) {
         const Array& array = animation.arrays()[a];

@@ -33,7 +33,7 @@ void put_surface(Overrides& all, const std::string& surface, const Overrides& ow
 animation::Animation apply(const animation::Animation& animation, const Overrides& overrides);
 scene::Scene apply(scene::Scene scene, const Overrides& overrides);
 
-// The range of a slider. It is computed once per scene, since that evaluates the whole timeline.
+// The range of a slider. It is computed once per surface, since that evaluates the whole timeline.
 struct SliderRange {
     std::string name;
     int track = 0; // of the animation
@@ -43,7 +43,7 @@ struct SliderRange {
 // One for each parameter, then one for each field that all elements share. A range holds every
 // value in the timeline (sampled) and the catalogue's range. If there are only equal values and no
 // such range, it is [0, 2v], or [-1, 1] for v = 0.
-std::vector<SliderRange> slider_ranges(const scene::Scene& scene);
+std::vector<SliderRange> slider_ranges(const scene::OneSurface& one);
 
 struct Slider {
     std::string name;
@@ -63,7 +63,7 @@ struct ArrayControls {
     int count = 0;
     std::vector<Slider> factors; // named "blobs.cx"
 };
-std::vector<ArrayControls> array_controls(const scene::Scene& scene,
+std::vector<ArrayControls> array_controls(const animation::Animation& animation,
                                           const animation::Values& values,
                                           const Overrides& overrides);
 

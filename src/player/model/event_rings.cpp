@@ -4,14 +4,13 @@
 #include <cmath>
 
 #include "player/model/orbit.h"
-#include "scene/nth_surface.h"
 
 namespace isomotion::player {
 namespace {
 
 const scene::PlacementAt* placement_of(const scene::SceneAt& now, int surface) {
-    if (surface < 0 || std::size_t(surface) >= scene::surface_count(now)) return nullptr;
-    return &scene::nth_surface(now, std::size_t(surface)).surface.placement;
+    if (surface < 0 || std::size_t(surface) >= now.surfaces.size()) return nullptr;
+    return &now.surfaces[std::size_t(surface)].placement;
 }
 
 double nearness(const PlacedEvent& event, double frame) {

@@ -58,7 +58,9 @@ std::vector<fs::path> FileWatch::changed() {
 
 std::vector<fs::path> files_of(const scene::Scene& scene) {
     std::vector<fs::path> files{scene.file};
-    if (!scene.surface.name.empty()) files.push_back(scene::surface_file(scene.surface.name));
+    for (const scene::Surface& surface : scene.surfaces) {
+        if (!surface.name.empty()) files.push_back(scene::surface_file(surface.name));
+    }
     if (scene.environment) files.push_back(scene.environment->map);
     for (fs::path& file : files_named(scene.file)) {
         if (std::ranges::find(files, file) == files.end()) files.push_back(std::move(file));

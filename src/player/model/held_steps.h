@@ -10,7 +10,7 @@ namespace isomotion::player {
 // Takes some milliseconds a surface.
 scene::Scene with_own_steps(scene::Scene scene);
 
-// The shortest steps of a scene of one surface over its sliders' ends, one slider after the other.
-formula::CubicSteps steps_at_slider_ends(const scene::Scene& surface);
+// The shortest steps of a surface over its sliders' ends, one slider after the other.
+formula::CubicSteps steps_at_slider_ends(const scene::OneSurface& one);
 
 } // namespace isomotion::player

@@ -4,7 +4,6 @@
 
 #include "player/model/memory.h"
 #include "scene/data_folder.h"
-#include "scene/nth_surface.h"
 #include "scene/surfaces.h"
 #include "topology/timeline/timeline_header.h"
 
@@ -37,12 +36,12 @@ fs::path LiveScene::timeline_file() const {
     const fs::path cache = cache_folder();
     const bool has_file = session.scene().formula.empty();
     if ((overrides_.empty() && has_file) || cache.empty()) return timeline_path(session.scene());
-    return cache / "timelines" / (topology::fingerprint(session.scene()) + ".timeline.json");
+    return cache / "timelines" / (topology::fingerprint({session.scene(), 0}) + ".timeline.json");
 }
 
 std::vector<fs::path> LiveScene::timeline_files() const {
     const scene::Scene& scene = session.scene();
-    if (!scene::has_several_surfaces(scene)) return {timeline_file()};
+    if (scene.surfaces.size() == 1) return {timeline_file()};
     std::vector<fs::path> files;
     for (const std::string& name : scene::surface_names(scene))
         files.push_back(timeline_path(scene, name));
@@ -55,7 +54,7 @@ void LiveScene::read_markers() {
     const fs::path own = timeline_file();
     std::error_code ignored;
     TopologyMarkers topology =
-        scene::has_several_surfaces(session.scene())
+        session.scene().surfaces.size() > 1
             ? read_topology_markers_of_each(session.scene())
             : read_topology_markers(
                   session.scene(), fs::exists(own, ignored) ? own : timeline_path(session.scene()));

@@ -8,7 +8,6 @@
 
 #include "player/model/camera_text.h"
 #include "scene/method.h"
-#include "scene/nth_surface.h"
 
 namespace isomotion::player {
 namespace {
@@ -78,20 +77,21 @@ std::vector<scene::Override> render_settings(const Session& session) {
     const scene::Scene& scene = session.scene();
     std::vector<scene::Override> all;
     // The method at hand is the first surface's.
-    const bool has_several = scene::has_several_surfaces(scene);
-    const std::string first = has_several ? "surfaces.1." : "";
-    if (!has_several) {
-        add_overrides(scene.surface.animation, look.overrides, "", all);
-    }
-    for (std::size_t k = 0; has_several && k < scene::surface_count(scene); ++k) {
-        const scene::Scene& surface = scene::nth_surface(scene, k);
-        add_overrides(surface.surface.animation, of_surface(look.overrides, surface.surface.label),
-                      fmt::format("surfaces.{}.", k + 1), all);
+    const bool has_several = scene.surfaces.size() > 1;
+    const auto prefix = [&](std::size_t k) {
+        return has_several ? fmt::format("surfaces.{}.", k + 1) : "";
+    };
+    const std::string first = prefix(0);
+    for (std::size_t k = 0; k < scene.surfaces.size(); ++k) {
+        const scene::Surface& surface = scene.surfaces[k];
+        add_overrides(surface.animation,
+                      has_several ? of_surface(look.overrides, surface.label) : look.overrides,
+                      prefix(k), all);
     }
     if (look.camera) {
         all.push_back("camera=" + inline_table(camera_text(*look.camera, scene.camera.shutter)));
     }
-    const scene::Isolation& own = scene.surface.isolation;
+    const scene::Isolation& own = scene.surfaces.front().isolation;
     const scene::Isolation& used = look.isolation;
     if (used.method != own.method) {
         all.push_back(fmt::format("{}isolation.method=\"{}\"", first, scene::name(used.method)));

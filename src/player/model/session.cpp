@@ -26,15 +26,15 @@ Session::Session(scene::Scene scene)
     : playback(playback_of(scene.timeline))
     , scene_(std::make_shared<const scene::Scene>(std::move(scene))) {
     size_ = {scene_->output.width, scene_->output.height};
-    look_.isolation = scene_->surface.isolation;
-    look_.other = beside(scene_->surface.isolation);
+    look_.isolation = scene_->surfaces.front().isolation;
+    look_.other = beside(look_.isolation);
     study();
 }
 
 void Session::study() {
-    slider_ranges_ = {player::slider_ranges(*scene_)};
-    for (const scene::Scene& other : scene_->others)
-        slider_ranges_.push_back(player::slider_ranges(other));
+    slider_ranges_.clear();
+    for (std::size_t k = 0; k < scene_->surfaces.size(); ++k)
+        slider_ranges_.push_back(player::slider_ranges({*scene_, k}));
     key_markers_ = player::key_markers(*scene_);
     hold();
     set(look_);
@@ -44,10 +44,10 @@ void Session::reload(scene::Scene scene, double now) {
     const std::shared_ptr<const scene::Scene> before = scene_;
     playback = moved_to(playback, before->timeline, scene.timeline, now);
     scene_ = std::make_shared<const scene::Scene>(std::move(scene));
-    if (look_.isolation == before->surface.isolation) look_.isolation = scene_->surface.isolation;
-    if (look_.other == beside(before->surface.isolation)) {
-        look_.other = beside(scene_->surface.isolation);
-    }
+    const scene::Isolation &was = before->surfaces.front().isolation,
+                           &is = scene_->surfaces.front().isolation;
+    if (look_.isolation == was) look_.isolation = is;
+    if (look_.other == beside(was)) look_.other = beside(is);
     study();
 }
 

@@ -55,8 +55,7 @@ public:
     // Throws scene::SceneError if a value leaves its range.
     scene::SceneAt at(std::int64_t frame, double part = 0) const;
 
-    const std::vector<SliderRange>& slider_ranges() const { return slider_ranges_.front(); }
-    // The ranges of one surface; the first surface is 0.
+    // The ranges of one surface.
     const std::vector<SliderRange>& slider_ranges(std::size_t surface) const {
         return slider_ranges_[surface];
     }

@@ -44,11 +44,12 @@ glm::dvec3 middle_of(const std::array<formula::Interval, 3>& where) {
 }
 
 // What makes a timeline anew.
-std::string command_for(const scene::Scene& scene, const std::string& timeline) {
-    const bool is_alone = timeline != timeline_path(scene).string() && !scene.surface.label.empty();
-    return fmt::format("isomotion topology {}{} -o {}", scene.file.string(),
-                       is_alone ? " --surface " + scene.surface.label : "",
-                       is_alone ? timeline : timeline_path(scene).string());
+std::string command_for(const scene::OneSurface& one, const std::string& timeline) {
+    const std::string whole = timeline_path(one.scene).string();
+    const std::string& label = one.surface.label;
+    const bool is_named = timeline != whole && !label.empty();
+    return fmt::format("isomotion topology {}{} -o {}", one.scene.file.string(),
+                       is_named ? " --surface " + label : "", is_named ? timeline : whole);
 }
 
 std::string what(const topology::Event& event) {
@@ -63,10 +64,16 @@ std::string what(const topology::Event& event) {
 std::vector<TimelineMarker> key_markers(const scene::Scene& scene) {
     const animation::Timeline& timeline = scene.timeline;
     std::map<double, std::vector<std::string>> tracks; // by the time of a key
-    for (const animation::Track& track : scene.surface.animation.tracks()) {
-        const auto* keys = std::get_if<animation::Keys>(&track.source);
-        if (!keys) continue;
-        for (const animation::Key& key : keys->keys) tracks[key.time].push_back(track.name);
+    for (const scene::Surface& surface : scene.surfaces) {
+        for (const animation::Track& track : surface.animation.tracks()) {
+            const auto* keys = std::get_if<animation::Keys>(&track.source);
+            if (!keys) continue;
+            for (const animation::Key& key : keys->keys) {
+                auto& there = tracks[key.time];
+                // What surfaces share is a track of each.
+                if (!std::ranges::count(there, track.name)) there.push_back(track.name);
+            }
+        }
     }
     std::vector<TimelineMarker> markers;
     for (const auto& [time, names] : tracks) {
@@ -80,23 +87,23 @@ std::vector<TimelineMarker> key_markers(const scene::Scene& scene) {
     return markers;
 }
 
-TopologyMarkers topology_markers(const scene::Scene& scene, const topology::TimelineRecord& record,
-                                 const std::string& file) {
-    if (record.header.fingerprint != topology::fingerprint(scene)) {
+TopologyMarkers topology_markers(const scene::OneSurface& one,
+                                 const topology::TimelineRecord& record, const std::string& file) {
+    if (record.header.fingerprint != topology::fingerprint(one)) {
         return {{},
                 {},
                 fmt::format("{}: is of another scene than is shown: its formula, parameters or "
                             "bounds differ; {} makes it anew",
-                            file, command_for(scene, file))};
+                            file, command_for(one, file))};
     }
-    const animation::FrameRate fps = scene.timeline.fps;
+    const animation::FrameRate fps = one.scene.timeline.fps;
     const topology::Timeline& timeline = record.timeline;
     TopologyMarkers found;
     // Whether it is within the scene's frames.
     const auto marker = [&](TimelineMarker::Kind kind, formula::Interval time,
                             const std::string& text) {
         const double frame = topology::frame_at(fps, middle(time, timeline.range));
-        if (frame < 1 || frame > scene.timeline.frames) return false;
+        if (frame < 1 || frame > one.scene.timeline.frames) return false;
         found.markers.push_back(
             {kind, frame, fmt::format("{} at frame {}", text, topology::frame_text(frame))});
         return true;
@@ -124,11 +131,11 @@ TopologyMarkers topology_markers(const scene::Scene& scene, const topology::Time
     return found;
 }
 
-TopologyMarkers read_topology_markers(const scene::Scene& scene, const fs::path& file) {
+TopologyMarkers read_topology_markers(const scene::OneSurface& one, const fs::path& file) {
     std::error_code ignored;
     if (!fs::exists(file, ignored)) return {};
     try {
-        return topology_markers(scene, topology::read_timeline(file), file.string());
+        return topology_markers(one, topology::read_timeline(file), file.string());
     } catch (const base::InputError& error) {
         return {{}, {}, error.what()};
     }
@@ -150,7 +157,7 @@ TopologyMarkers read_topology_markers_of_each(const scene::Scene& scene) {
     for (int k = 0; k < int(names.size()); ++k) {
         const std::string& name = names[std::size_t(k)];
         TopologyMarkers one =
-            read_topology_markers(scene::alone(scene, k), timeline_path(scene, name));
+            read_topology_markers({scene, std::size_t(k)}, timeline_path(scene, name));
         for (TimelineMarker& marker : one.markers) {
             marker.label = name + ": " + marker.label;
             all.markers.push_back(std::move(marker));

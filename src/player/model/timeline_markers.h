@@ -28,11 +28,12 @@ struct TopologyMarkers {
     std::vector<PlacedEvent> events; // the same, with their places
     std::string refusal; // why a timeline was refused: of another scene, or broken; otherwise empty
 };
-// Refuses the timeline of another scene, by its fingerprint. `scene` has one surface.
-TopologyMarkers topology_markers(const scene::Scene& scene, const topology::TimelineRecord& record,
-                                 const std::string& file);
+// Refuses the timeline of another surface, by its fingerprint.
+TopologyMarkers topology_markers(const scene::OneSurface& one,
+                                 const topology::TimelineRecord& record, const std::string& file);
 // No markers and no refusal if there is no such file.
-TopologyMarkers read_topology_markers(const scene::Scene& scene, const std::filesystem::path& file);
+TopologyMarkers read_topology_markers(const scene::OneSurface& one,
+                                      const std::filesystem::path& file);
 // NAME.timeline.json beside NAME.toml.
 std::filesystem::path timeline_path(const scene::Scene& scene);
 // The same for one of several surfaces, by its name: NAME.SURFACE.timeline.json.

@@ -8,7 +8,6 @@
 
 #include "player/ui/theme.h"
 #include "player/ui/widget_rects.h"
-#include "scene/nth_surface.h"
 
 namespace isomotion::player {
 namespace {
@@ -363,47 +362,47 @@ void parameter_sliders(const std::vector<Slider>& all, const std::vector<ArrayCo
     }
 }
 
-// Draws the sliders of each surface under its name.
-void parameters_of_surfaces(Look& look, const Session& session, double time) {
-    for (std::size_t k = 0; k < scene::surface_count(session.scene()); ++k) {
-        const scene::Scene& surface = scene::nth_surface(session.scene(), k);
-        const std::string& name = surface.surface.label;
-        const scene::Scene& shown = scene::nth_surface(session.overridden(), k);
-        const animation::Values values = shown.surface.animation.at(time);
-        Overrides own = of_surface(look.overrides, name);
-        ImGui::PushID(int(k));
+// Draws one surface's sliders; of several, under its name.
+void parameters_of(std::size_t k, Look& look, const Session& session, double time) {
+    const scene::Scene& scene = session.scene();
+    const bool has_several = scene.surfaces.size() > 1;
+    const std::string& name = scene.surfaces[k].label;
+    Overrides own = has_several ? of_surface(look.overrides, name) : look.overrides;
+    const animation::Animation& shown = session.overridden().surfaces[k].animation;
+    const animation::Values values = shown.at(time);
+    ImGui::PushID(int(k));
+    if (has_several) {
         ImGui::Spacing();
         ImGui::TextUnformatted(name.c_str());
-        parameter_sliders(sliders(session.slider_ranges(k), values, own),
-                          array_controls(surface, values, own), own);
-        ImGui::PopID();
+    }
+    parameter_sliders(sliders(session.slider_ranges(k), values, own),
+                      array_controls(scene.surfaces[k].animation, values, own), own);
+    ImGui::PopID();
+    if (has_several) {
         put_surface(look.overrides, name, own);
+    } else {
+        look.overrides = own;
     }
 }
 
 } // namespace
 
 void parameter_section(Look& look, const Session& session, double time) {
-    const animation::Values values = session.overridden().surface.animation.at(time);
-    const bool has_several = scene::has_several_surfaces(session.scene());
-    const auto all = sliders(session.slider_ranges(), values, look.overrides);
-    const auto arrays = array_controls(session.scene(), values, look.overrides);
-    if (all.empty() && arrays.empty() && !has_several) return;
-    if (!heading("Parameters")) return;
+    const std::vector<scene::Surface>& surfaces = session.scene().surfaces;
+    const bool has_none = surfaces.size() == 1 && session.slider_ranges(0).empty() &&
+                          surfaces.front().animation.arrays().empty();
+    if (has_none || !heading("Parameters")) return;
     const Overrides before = look.overrides;
-    if (has_several) {
-        parameters_of_surfaces(look, session, time);
-    } else {
-        parameter_sliders(all, arrays, look.overrides);
-    }
+    for (std::size_t k = 0; k < surfaces.size(); ++k) parameters_of(k, look, session, time);
     if (!before.empty() && ImGui::Button("give all back", {-1, 0})) look.overrides = {};
 }
 
 void method_section(Look& look, const scene::Scene& scene) {
     if (!heading("Method")) return;
     method_combo("##method", look.isolation.method);
-    settings(look.isolation, scene.surface.isolation);
-    if (ImGui::Button("as the scene says", {-1, 0})) look.isolation = scene.surface.isolation;
+    settings(look.isolation, scene.surfaces.front().isolation);
+    if (ImGui::Button("as the scene says", {-1, 0}))
+        look.isolation = scene.surfaces.front().isolation;
     ImGui::Checkbox("smooth edges at rest", &look.smooth);
 }
 

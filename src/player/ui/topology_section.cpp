@@ -7,7 +7,6 @@
 
 #include "player/ui/sections.h"
 #include "player/ui/theme.h"
-#include "scene/nth_surface.h"
 #include "scene/surfaces.h"
 
 namespace isomotion::player {
@@ -73,7 +72,7 @@ void TopologySection::show(const LiveScene& scene, bool& rings) {
         }
         return;
     }
-    if (scene::has_several_surfaces(scene.session.scene())) {
+    if (scene.session.scene().surfaces.size() > 1) {
         ImGui::PushTextWrapPos(0);
         for (const std::string& name : scene::surface_names(scene.session.scene())) {
             ImGui::TextDisabled("isomotion topology %s --surface %s -o %s", scene.file().c_str(),

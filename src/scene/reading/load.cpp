@@ -4,7 +4,6 @@
 #include <cerrno>
 #include <cmath>
 #include <functional>
-#include <iterator>
 #include <numeric>
 #include <set>
 #include <span>
@@ -22,7 +21,6 @@
 #include "scene/elements_at_a_place.h"
 #include "scene/found_bounds.h"
 #include "scene/limits.h"
-#include "scene/nth_surface.h"
 #include "scene/reading/camera.h"
 #include "scene/reading/environment.h"
 #include "scene/reading/formula_scene.h"
@@ -204,8 +202,8 @@ void check_arrays(const animation::Animation& animation, const TrackTable& track
 
 // Refuses what would take minutes to read, or to be at one frame: it is no scene but a slip of the
 // pen.
-void check_work(const Scene& scene, const SurfaceParts& parts, const TrackTable& tracks) {
-    const animation::Animation& animation = scene.surface.animation;
+void check_work(const SurfaceParts& parts, const TrackTable& tracks) {
+    const animation::Animation& animation = parts.surface.animation;
     const std::vector<int> counts = animation.counts();
     const double at_a_point =
         std::max(formula::cost(parts.surface.field->gradient, counts).operations,
@@ -244,7 +242,7 @@ void expect_surface(const Scene& scene, const SurfaceParts& parts) {
 constexpr double wall_part = 0x1p-15;
 
 // Values that float32 doesn't hold well are multiplied by a power of two.
-void rescale(SurfaceParts& parts, const SceneAt& first) {
+void rescale(SurfaceParts& parts, const SurfaceAt& first) {
     Surface& surface = parts.surface;
     const double scale = field_scale(*surface.field, first);
     if (scale != 1) {
@@ -298,7 +296,7 @@ Scene read_document_scene(toml::table& root, const fs::path& file, const base::C
     TrackTable tracks;
     std::uint64_t seed = 0;
     read_time(document, scene, seed);
-    Surface& surface = scene.surface;
+    Surface& surface = scene.surfaces.emplace_back();
     const auto parts = read_surface(document, scene.timeline, tracks, within, surface);
     tracks.place("surface.formula", parts->catalogue ? "formula" : "surface.formula",
                  parts->formula_node);
@@ -334,15 +332,16 @@ Scene read_document_scene(toml::table& root, const fs::path& file, const base::C
     surface.value_places = std::make_shared<const ValuePlaces>(tracks.stated());
 
     // Settings are chosen once, at the first frame: every frame is marched alike.
-    check_work(scene, *parts, tracks);
-    const SceneAt first = first_frame(scene, tracks);
+    check_work(*parts, tracks);
+    const SceneAt now = first_frame(scene, tracks);
+    const SurfaceAt& first = now.surfaces.front();
     if (reading != Reading::whole) return scene;
     Isolation& isolation = surface.isolation;
     surface.smoothness = smoothness(*surface.field, regions(scene, first));
     surface.cubic_steps = cubic_steps(scene, first);
     if (isolation.method == Method::hermite && !isolation.certify)
         surface.elements_at_a_place = elements_at_a_place(scene);
-    if (!given.step) isolation.step = first.surface.bounds.radius / 100;
+    if (!given.step) isolation.step = first.bounds.radius / 100;
     if (!given.near || !given.far || !given.horizon) {
         const double slope = field_slope(*surface.field, first);
         const Thresholds found = field_thresholds(slope, isolation.step);
@@ -352,12 +351,12 @@ Scene read_document_scene(toml::table& root, const fs::path& file, const base::C
     }
     if (surface.jumps_are_walls) {
         surface.field = std::make_shared<formula::Field>(
-            formula::with_walls(*surface.field, wall_part * first.surface.bounds.radius));
+            formula::with_walls(*surface.field, wall_part * first.bounds.radius));
     }
     rescale(*parts, first);
     // Curvatures are quotients of the same field's slopes.
     make_paints(material, *parts);
-    if (material.colormap) find_shown_range(*material.colormap, scene);
+    if (material.colormap) find_shown_range(*material.colormap, scene, *surface.material.paint);
     return scene;
 }
 
@@ -378,7 +377,7 @@ Scene read_with_bounds(toml::table& root, const fs::path& file, const base::Conf
     }
     put_bounds(root, *found);
     Scene scene = read_document_scene(root, file, within, Reading::whole, for_others);
-    scene.surface.found_bounds = found->is_about_surface;
+    scene.surfaces.front().found_bounds = found->is_about_surface;
     return scene;
 }
 
@@ -387,7 +386,7 @@ Scene read_one(toml::table& root, const fs::path& file, const base::Confines& wi
     try {
         NamedLook look = put_look(root);
         Scene scene = read_with_bounds(root, file, within, for_others);
-        scene.look = std::move(look);
+        scene.surfaces.front().look = std::move(look);
         return scene;
     } catch (const PlacedError& first) {
         throw all_mistakes(root, first, [&](Rereading again) {
@@ -402,20 +401,19 @@ Scene read_one(toml::table& root, const fs::path& file, const base::Confines& wi
 }
 
 // A pixel is proved if what its ray meets of each surface is.
-void certify_all_or_none(std::vector<Scene>& scenes) {
+void certify_all_or_none(std::vector<Surface>& surfaces) {
     const bool any = std::ranges::any_of(
-        scenes, [](const Scene& scene) { return scene.surface.isolation.certify; });
-    for (Scene& scene : scenes) scene.surface.isolation.certify = any;
+        surfaces, [](const Surface& surface) { return surface.isolation.certify; });
+    for (Surface& surface : surfaces) surface.isolation.certify = any;
 }
 
 // Whether the surface is drawn by elements of the array.
-bool uses_array(const Scene& surface, std::string_view name) {
-    const auto& arrays = surface.surface.animation.arrays();
+bool uses_array(const Surface& surface, std::string_view name) {
+    const auto& arrays = surface.animation.arrays();
     const auto found = std::ranges::find(arrays, name, &animation::Array::name);
     if (found == arrays.end()) return false;
-    std::vector<const formula::Graph*> graphs{&surface.surface.field->graph};
-    for (const formula::Paint* paint : paints_of(surface.surface.material))
-        graphs.push_back(&paint->graph);
+    std::vector<const formula::Graph*> graphs{&surface.field->graph};
+    for (const formula::Paint* paint : paints_of(surface.material)) graphs.push_back(&paint->graph);
     return std::ranges::any_of(graphs, [&](const formula::Graph* graph) {
         for (formula::NodeId id = 0; id < graph->size(); ++id) {
             const formula::Node& node = (*graph)[id];
@@ -428,7 +426,7 @@ bool uses_array(const Scene& surface, std::string_view name) {
 
 // `key`: of the table, "arrays" or "surfaces.ring.arrays"; the surfaces that may use them.
 void refuse_unused_arrays(const toml::node* table, const std::string& key,
-                          std::span<const Scene* const> surfaces) {
+                          std::span<const Surface> surfaces) {
     const toml::table* arrays = table ? table->as_table() : nullptr;
     if (!arrays) return;
     for (const auto& entry : *arrays) {
@@ -437,7 +435,7 @@ void refuse_unused_arrays(const toml::node* table, const std::string& key,
         if (!count || position(*count) != "--set") continue;
         const std::string_view name = entry.first.str();
         const bool is_used = std::ranges::any_of(
-            surfaces, [&](const Scene* surface) { return uses_array(*surface, name); });
+            surfaces, [&](const Surface& surface) { return uses_array(surface, name); });
         if (is_used) continue;
         fail(*count, fmt::format("{}.{}.count", key, name),
              "no formula and no colour sums or picks over an array of this name");
@@ -446,15 +444,14 @@ void refuse_unused_arrays(const toml::node* table, const std::string& key,
 
 // A file may hold arrays that nothing uses; a count that was set is to have an effect.
 void refuse_unused_arrays(const toml::table& root, const Scene& scene) {
-    std::vector<const Scene*> surfaces;
-    for_each_surface(scene, [&](const Scene& one) { surfaces.push_back(&one); });
+    const std::span<const Surface> surfaces = scene.surfaces;
     refuse_unused_arrays(root.get("arrays"), "arrays", surfaces);
     if (!lists_surfaces(root)) return;
     for (std::size_t k = 0; k < surfaces.size(); ++k) {
         const toml::table& own = *root.get("surfaces")->as_array()->get(k)->as_table();
         refuse_unused_arrays(own.get("arrays"),
-                             fmt::format("surfaces.{}.arrays", surfaces[k]->surface.label),
-                             std::span(surfaces).subspan(k, 1));
+                             fmt::format("surfaces.{}.arrays", surfaces[k].label),
+                             surfaces.subspan(k, 1));
     }
 }
 
@@ -465,7 +462,8 @@ Scene read_listed(const toml::table& root, const Parse& parse, const fs::path& f
                   const std::vector<Override>& overrides, const base::Confines& within) {
     const std::vector<std::string> names = listed_names(root);
     std::set<std::string> unused = shared_parameters(root);
-    std::vector<Scene> scenes;
+    Scene all;
+    std::vector<Surface> surfaces;
     std::optional<Mistakes> mistakes;
     for (std::size_t k = 0; k < names.size(); ++k) {
         toml::table document = parse();
@@ -487,22 +485,19 @@ Scene read_listed(const toml::table& root, const Parse& parse, const fs::path& f
         for (const std::string& name : shared) {
             if (!for_others.contains(name)) unused.erase(name);
         }
-        scene.surface.label = names[k];
-        scene.among.index = int(k);
-        scene.among.count = int(names.size());
-        scenes.push_back(std::move(scene));
+        surfaces.push_back(std::move(scene.surfaces.front()));
+        surfaces.back().label = names[k];
+        if (k == 0) all = std::move(scene);
     }
     if (mistakes) throw Mistakes(*mistakes);
-    certify_all_or_none(scenes);
+    certify_all_or_none(surfaces);
     if (!unused.empty()) {
         fail(*root["parameters"].as_table()->get(*unused.begin()), "parameters." + *unused.begin(),
              "no surface's formula and no expression uses this parameter");
     }
-    Scene first = std::move(scenes.front());
-    first.others.assign(std::make_move_iterator(scenes.begin() + 1),
-                        std::make_move_iterator(scenes.end()));
-    at_frame(first, 1); // with a camera that sees all
-    return first;
+    all.surfaces = std::move(surfaces);
+    at_frame(all, 1); // with a camera that sees all
+    return all;
 }
 
 // `parse` gives the document once more.

@@ -93,12 +93,12 @@ Paint make_paint(const PaintParts& parts, const SurfaceParts& surface) {
     return paint;
 }
 
-void find_shown_range(const PaintParts& parts, Scene& scene) {
+void find_shown_range(const PaintParts& parts, const OneSurface& one, Paint& paint) {
     if (!parts.shown_node) return;
     try {
-        const ShownRange shown = shown_range(scene, *scene.surface.material.paint->value);
-        scene.surface.material.paint->shown = shown.range;
-        scene.surface.material.paint->met = shown.met;
+        const ShownRange shown = shown_range(one, *paint.value);
+        paint.shown = shown.range;
+        paint.met = shown.met;
     } catch (const NoRange& error) {
         fail(*parts.shown_node, parts.range_key, error.what());
     }

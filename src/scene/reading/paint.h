@@ -28,8 +28,8 @@ void check_work(const formula::Paint& paint, const SurfaceParts& surface, const 
 // Parses the expression against the surface's names.
 Paint make_paint(const PaintParts& parts, const SurfaceParts& surface);
 
-// Sets the paint's range to the values that the surface shows, if the scene asks for that. Call it
-// after all else is read.
-void find_shown_range(const PaintParts& parts, Scene& scene);
+// Sets the range of the surface's paint to the values that it shows, if the scene asks for that.
+// Call it after all else is read.
+void find_shown_range(const PaintParts& parts, const OneSurface& one, Paint& paint);
 
 } // namespace isomotion::scene

@@ -284,18 +284,18 @@ std::optional<SignGrid> FrameSigns::at(const formula::Bindings<double>& bindings
     return make(bindings, nullptr, bounds, solid, side, threads, work);
 }
 
-std::optional<SignGrid> FrameSigns::at(const scene::SceneAt& now, Side solid, int side, int threads,
-                                       Work& work) const {
-    const auto all = formula::convert<double>(now.surface.bindings);
-    if (!by_place_) return at(all, now.surface.bounds, solid, side, threads, work);
+std::optional<SignGrid> FrameSigns::at(const scene::SurfaceAt& now, Side solid, int side,
+                                       int threads, Work& work) const {
+    const auto all = formula::convert<double>(now.bindings);
+    if (!by_place_) return at(all, now.bounds, solid, side, threads, work);
     constexpr double of_element = 2000; // to find where it is
     const auto array = std::size_t(by_place_->array());
-    work.add(of_element * now.surface.bindings.arrays[array].count);
-    const elements::FieldByPlace::Frame frame = by_place_->at(
-        now.surface.bindings, scene::region_of_elements(now.surface.bounds), threads_of(threads));
+    work.add(of_element * now.bindings.arrays[array].count);
+    const elements::FieldByPlace::Frame frame =
+        by_place_->at(now.bindings, scene::region_of_elements(now.bounds), threads_of(threads));
     constexpr int list_to_pay = 16; // times a list are all elements
     const bool pays = list_to_pay * frame.grid().usual_count() <= frame.elements();
-    return make(all, pays ? &frame : nullptr, now.surface.bounds, solid, side, threads, work);
+    return make(all, pays ? &frame : nullptr, now.bounds, solid, side, threads, work);
 }
 
 std::optional<SignGrid> FrameSigns::make(const formula::Bindings<double>& bindings,

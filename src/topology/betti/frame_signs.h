@@ -64,8 +64,8 @@ public:
     std::optional<SignGrid> at(const formula::Bindings<double>& bindings,
                                const scene::BoundsAt& bounds, Side solid, int side, int threads,
                                Work& work) const;
-    // The same for a scene at a time.
-    std::optional<SignGrid> at(const scene::SceneAt& now, Side solid, int side, int threads,
+    // The same for a surface at a time.
+    std::optional<SignGrid> at(const scene::SurfaceAt& now, Side solid, int side, int threads,
                                Work& work) const;
 
 private:

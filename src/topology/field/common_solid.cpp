@@ -48,17 +48,17 @@ struct Pair {
     NodeId second{}, second_bounds{};
 };
 
-animation::Rules placement_rules(const scene::Scene& scene, double within, Graph& g) {
-    return {scene.surface.animation, within, g, g.input(clock_input)};
+animation::Rules placement_rules(const scene::OneSurface& one, double within, Graph& g) {
+    return {one.surface.animation, within, g, g.input(clock_input)};
 }
 
 Pair paired(const Body& a, const Body& b, const Motion& of_a, Motion of_b, double within) {
     Pair pair{of_a};
     Graph& g = pair.motion.graph;
-    animation::Rules rules_of_a = placement_rules(a.scene, within, g);
-    animation::Rules rules_of_b = placement_rules(b.scene, within, g);
-    const auto place = coordinates_in(g, placement_nodes(a.scene.surface.placement, g, rules_of_a),
-                                      placement_nodes(b.scene.surface.placement, g, rules_of_b));
+    animation::Rules rules_of_a = placement_rules(a.one, within, g);
+    animation::Rules rules_of_b = placement_rules(b.one, within, g);
+    const auto place = coordinates_in(g, placement_nodes(a.one.surface.placement, g, rules_of_a),
+                                      placement_nodes(b.one.surface.placement, g, rules_of_b));
     const NodeId bounds = within_bounds(of_b.graph, of_b);
     auto& arrays = pair.motion.bindings.arrays;
     const auto nodes = formula::substitute(
@@ -162,20 +162,20 @@ Motion common(Pair pair) {
 
 // Adds the spans in which a surface may be scaled to a point or turned inside out: scenes are
 // refused for that at the times of frames only.
-void find_points(const scene::Scene& scene, double within, Interval clock,
+void find_points(const scene::OneSurface& one, double within, Interval clock,
                  std::vector<Interval>& spans) {
     Graph g;
-    animation::Rules rules = placement_rules(scene, within, g);
-    const std::array scale{placement_nodes(scene.surface.placement, g, rules).scale};
-    find_not_positive(g, scale, clock, scene.surface.animation.seed(), spans);
+    animation::Rules rules = placement_rules(one, within, g);
+    const std::array scale{placement_nodes(one.surface.placement, g, rules).scale};
+    find_not_positive(g, scale, clock, one.surface.animation.seed(), spans);
 }
 
 // Where a placement's rules change.
-std::vector<animation::Knot> knots_of(const scene::Scene& scene, Interval range) {
+std::vector<animation::Knot> knots_of(const scene::OneSurface& one, Interval range) {
     Graph g;
-    animation::Rules rules = placement_rules(scene, mid(range), g);
-    placement_nodes(scene.surface.placement, g, rules);
-    return animation::knots(scene.surface.animation, rules.used(), range);
+    animation::Rules rules = placement_rules(one, mid(range), g);
+    placement_nodes(one.surface.placement, g, rules);
+    return animation::knots(one.surface.animation, rules.used(), range);
 }
 
 const Motion& piece_at(const Motions& all, double time) {
@@ -206,8 +206,8 @@ template<class T> void join(std::vector<T>& all, const std::vector<T>& more) {
 } // namespace
 
 Motions common_motions(const Body& a, const Body& b, Interval range) {
-    const Motions of_a = motions(a.scene, a.side, range, Clock::time);
-    const Motions of_b = motions(b.scene, b.side, range, Clock::time);
+    const Motions of_a = motions(a.one, a.side, range, Clock::time);
+    const Motions of_b = motions(b.one, b.side, range, Clock::time);
     expect_few_arrays(of_a, of_b);
     Motions all;
     std::set<double> cuts{range.hi};
@@ -218,8 +218,8 @@ Motions common_motions(const Body& a, const Body& b, Interval range) {
         join(all.doubts, one->doubts);
     }
     bool changes_at_end = of_a.at_end || of_b.at_end;
-    for (const scene::Scene* scene : {&a.scene, &b.scene}) {
-        for (const animation::Knot& knot : knots_of(*scene, range)) {
+    for (const scene::OneSurface* one : {&a.one, &b.one}) {
+        for (const animation::Knot& knot : knots_of(*one, range)) {
             cuts.insert(knot.time);
             if (knot.jumps) join(all.jumps, {knot.time});
             changes_at_end |= knot.time == range.hi;
@@ -237,7 +237,7 @@ Motions common_motions(const Body& a, const Body& b, Interval range) {
         Pair pair = paired(a, b, piece_at(of_a, middle), piece_at(of_b, middle), middle);
         pair.motion.clock = {from, to};
         for (const Body* body : {&a, &b})
-            find_points(body->scene, middle, pair.motion.clock, all.collapses);
+            find_points(body->one, middle, pair.motion.clock, all.collapses);
         Motion motion = common(std::move(pair));
         find_steps(motion, all.doubts);
         all.pieces.push_back(std::move(motion));

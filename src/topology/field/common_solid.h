@@ -12,9 +12,9 @@
 
 namespace isomotion::topology {
 
-// A surface as a scene of its own, and the side that is its solid.
+// A surface, and the side that is its solid.
 struct Body {
-    const scene::Scene& scene;
+    scene::OneSurface one;
     Side side = Side::negative;
 };
 

@@ -49,9 +49,9 @@ std::vector<Time> with_doubts_joined(const std::vector<Time>& times, double gap)
 
 } // namespace
 
-MonotoneTrack::MonotoneTrack(const scene::Scene& scene, int track, Interval range)
+MonotoneTrack::MonotoneTrack(const scene::OneSurface& one, int track, Interval range)
     : range_(range) {
-    const animation::Animation& animation = scene.surface.animation;
+    const animation::Animation& animation = one.surface.animation;
     bindings_.seed = animation.seed();
     formula::Graph all;
     animation::Rules used(animation, mid(range), all, all.input(0));

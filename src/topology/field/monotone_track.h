@@ -18,7 +18,7 @@ namespace isomotion::topology {
 
 class MonotoneTrack {
 public:
-    MonotoneTrack(const scene::Scene& scene, int track, formula::Interval range);
+    MonotoneTrack(const scene::OneSurface& one, int track, formula::Interval range);
 
     // Encloses all values of the track, within about 1e-3 of their range.
     formula::Interval values() const;

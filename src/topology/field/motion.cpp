@@ -105,25 +105,25 @@ void fold_elements(Motion& motion) {
         })[0];
 }
 
-Motion piece(const scene::Scene& scene, Side side, double within, std::optional<int> driver,
+Motion piece(const scene::OneSurface& one, Side side, double within, std::optional<int> driver,
              animation::Parts* used = nullptr) {
     Motion motion;
     motion.driver = driver;
     Graph& g = motion.graph;
     std::optional<animation::Driver> by;
     if (driver) by = {*driver, g.input(clock_input)};
-    animation::Rules rules(scene.surface.animation, within, g,
+    animation::Rules rules(one.surface.animation, within, g,
                            g.input(driver ? time_input : clock_input), by);
     // A track without a value leaves the formula none, though min or 0*c would hide it.
     const auto in_place = [&](Graph& to, const Node& node, NodeId rebuilt) {
         const NodeId made = rules.in_place(node, rebuilt);
         return made == rebuilt ? made : formula::with_gaps(to, made);
     };
-    const formula::Field& field = *scene.surface.field;
+    const formula::Field& field = *one.surface.field;
     Graph named = field.graph;
     const auto number = [&](int parameter) -> std::optional<double> {
         const animation::TrackSource& source =
-            scene.surface.animation.tracks()[std::size_t(parameter)].source;
+            one.surface.animation.tracks()[std::size_t(parameter)].source;
         const auto* constant = std::get_if<double>(&source);
         return constant ? std::optional(*constant) : std::nullopt;
     };
@@ -133,7 +133,7 @@ Motion piece(const scene::Scene& scene, Side side, double within, std::optional<
     motion.field = formula::substitute(g, named, std::array{root}, in_place)[0];
     if (side == Side::positive) motion.field = g.unary(Op::negate, motion.field);
 
-    const scene::Bounds& bounds = scene.surface.bounds;
+    const scene::Bounds& bounds = one.surface.bounds;
     motion.shape = bounds.shape;
     const auto track = [&](int k) { return formula::with_gaps(g, rules.track(k)); };
     if (bounds.shape == scene::Bounds::Shape::sphere) motion.radius = track(bounds.radius);
@@ -148,7 +148,7 @@ Motion piece(const scene::Scene& scene, Side side, double within, std::optional<
         }
     }
     motion.bindings.arrays = rules.columns();
-    motion.bindings.seed = scene.surface.animation.seed();
+    motion.bindings.seed = one.surface.animation.seed();
     if (used) *used = rules.used();
     fold_elements(motion);
     motion.moves = depends_on_clock(motion);
@@ -157,9 +157,9 @@ Motion piece(const scene::Scene& scene, Side side, double within, std::optional<
 
 // The track that all motion goes through, with the surface as it depends on it. No rule beside the
 // track's own may change in the range: where something rests at one time, it may move at another.
-std::optional<Motion> through_one_track(const scene::Scene& scene, const animation::Parts& parts,
+std::optional<Motion> through_one_track(const scene::OneSurface& one, const animation::Parts& parts,
                                         Side side, Interval range) {
-    const animation::Animation& animation = scene.surface.animation;
+    const animation::Animation& animation = one.surface.animation;
     for (const int k : parts.arrays) {
         const auto& samples = animation.arrays()[std::size_t(k)].samples;
         if (samples && samples->times().size() > 1) return std::nullopt;
@@ -167,7 +167,7 @@ std::optional<Motion> through_one_track(const scene::Scene& scene, const animati
     for (const int k : parts.tracks) {
         if (std::holds_alternative<double>(animation.tracks()[std::size_t(k)].source)) continue;
         animation::Parts beside;
-        Motion motion = piece(scene, side, mid(range), k, &beside);
+        Motion motion = piece(one, side, mid(range), k, &beside);
         beside.tracks.erase(k);
         if (!animation::knots(animation, beside, range).empty()) continue;
         if (reads(motion, clock_input) && !reads(motion, time_input)) return motion;
@@ -300,17 +300,17 @@ Interval with_ends_in_doubt(Interval clock) {
     return {clock.lo - by, clock.hi + by};
 }
 
-Motions motions(const scene::Scene& scene, Side side, Interval range, Clock clock) {
+Motions motions(const scene::OneSurface& one, Side side, Interval range, Clock clock) {
     Motions all;
-    const animation::Animation& animation = scene.surface.animation;
+    const animation::Animation& animation = one.surface.animation;
     animation::Parts parts;
-    piece(scene, side, mid(range), std::nullopt, &parts);
+    piece(one, side, mid(range), std::nullopt, &parts);
     std::vector<animation::Knot> knots = animation::knots(animation, parts, range);
     for (const animation::Knot& knot : knots) {
         if (knot.jumps) all.jumps.push_back(knot.time);
     }
     if (!knots.empty() && knots.back().time == range.hi) {
-        all.at_end = piece(scene, side, range.hi, std::nullopt);
+        all.at_end = piece(one, side, range.hi, std::nullopt);
         all.at_end->clock = range.hi;
         drop_idle_parts(*all.at_end);
         knots.pop_back();
@@ -318,7 +318,7 @@ Motions motions(const scene::Scene& scene, Side side, Interval range, Clock cloc
     double from = range.lo;
     for (std::size_t k = 0; k <= knots.size(); ++k) {
         const double to = k < knots.size() ? knots[k].time : range.hi;
-        Motion motion = piece(scene, side, from + (to - from) / 2, std::nullopt);
+        Motion motion = piece(one, side, from + (to - from) / 2, std::nullopt);
         motion.clock = {from, to};
         drop_idle_parts(motion);
         find_steps(motion, all.doubts);
@@ -327,8 +327,8 @@ Motions motions(const scene::Scene& scene, Side side, Interval range, Clock cloc
         from = to;
     }
     if (clock == Clock::track_if_one && all.jumps.empty()) {
-        if (auto motion = through_one_track(scene, parts, side, range)) {
-            motion->clock = MonotoneTrack(scene, *motion->driver, range).values();
+        if (auto motion = through_one_track(one, parts, side, range)) {
+            motion->clock = MonotoneTrack(one, *motion->driver, range).values();
             // A track with a pole in the range is no clock: there is no end to its values.
             if (std::isfinite(motion->clock.lo) && std::isfinite(motion->clock.hi)) {
                 drop_idle_parts(*motion);

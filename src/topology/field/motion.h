@@ -72,7 +72,7 @@ bool depends_on_clock(const Motion& motion);
 formula::Interval with_ends_in_doubt(formula::Interval clock);
 
 // The motions of the scene's surface while the time is in `range`.
-Motions motions(const scene::Scene& scene, Side side, formula::Interval range,
+Motions motions(const scene::OneSurface& one, Side side, formula::Interval range,
                 Clock clock = Clock::track_if_one);
 
 } // namespace isomotion::topology

@@ -25,10 +25,10 @@ struct Patch {
 
 class FaceSigns {
 public:
-    FaceSigns(const formula::Field& field, const scene::SceneAt& now)
-        : numbers_(formula::convert<double>(now.surface.bindings))
-        , intervals_(formula::convert<Interval>(now.surface.bindings))
-        , bounds_(now.surface.bounds)
+    FaceSigns(const formula::Field& field, const scene::SurfaceAt& now)
+        : numbers_(formula::convert<double>(now.bindings))
+        , intervals_(formula::convert<Interval>(now.bindings))
+        , bounds_(now.bounds)
         , value_(field.value)
         , enclosure_program_(formula::value_enclosure(field))
         , enclosure_(enclosure_program_) {
@@ -128,9 +128,9 @@ private:
 
 } // namespace
 
-Side solid_side(const scene::Scene& scene) {
-    const scene::SceneAt first = scene::at_frame(scene, 1);
-    return FaceSigns(*scene.surface.field, first).solid();
+Side solid_side(const scene::OneSurface& one) {
+    const scene::SurfaceAt first = scene::surface_at(one, one.scene.timeline.time(1));
+    return FaceSigns(*one.surface.field, first).solid();
 }
 
 } // namespace isomotion::topology

@@ -13,6 +13,6 @@ enum class Side {
 // The side that the bounds don't touch at the scene's first frame; negative if they touch both. It
 // depends on the scene, not on the span searched, so timelines of different spans have the same
 // solid.
-Side solid_side(const scene::Scene& scene);
+Side solid_side(const scene::OneSurface& one);
 
 } // namespace isomotion::topology

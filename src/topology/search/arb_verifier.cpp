@@ -173,8 +173,8 @@ int index_of(const Rows& jacobian, long precision) {
 
 } // namespace
 
-ArbVerifier::ArbVerifier(const scene::Scene& scene, Side side, Interval range)
-    : ArbVerifier(motions(scene, side, range, Clock::time)) {}
+ArbVerifier::ArbVerifier(const scene::OneSurface& one, Side side, Interval range)
+    : ArbVerifier(motions(one, side, range, Clock::time)) {}
 
 ArbVerifier::ArbVerifier(Motions all)
     : motions_(std::move(all)) {

@@ -24,7 +24,7 @@ namespace isomotion::topology {
 class ArbVerifier {
 public:
     // Verifies the scene's events in `range`.
-    ArbVerifier(const scene::Scene& scene, Side side, formula::Interval range);
+    ArbVerifier(const scene::OneSurface& one, Side side, formula::Interval range);
     // Motions by time.
     explicit ArbVerifier(Motions all);
 

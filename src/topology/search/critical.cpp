@@ -354,8 +354,8 @@ void add_at_knot(std::vector<KnotPoint> before, std::vector<KnotPoint> after, bo
 // About how much of the time a stratum takes.
 double effort(const Stratum& stratum) { return std::pow(8, stratum.dimension()); }
 
-// `scene`: whose tracks drive motions that do not go by time.
-Timeline found_in(const Motions& all, const scene::Scene* scene, Interval range,
+// `one`: whose tracks drive motions that do not go by time.
+Timeline found_in(const Motions& all, const scene::OneSurface* one, Interval range,
                   const EventSearchOptions& how, SearchCost* cost) {
     Timeline timeline;
     timeline.range = range;
@@ -384,8 +384,8 @@ Timeline found_in(const Motions& all, const scene::Scene* scene, Interval range,
             continue;
         }
         std::optional<MonotoneTrack> driven;
-        assert(scene || !motion.driver); // what two surfaces have in common moves by time
-        if (scene && motion.driver) driven.emplace(*scene, *motion.driver, range);
+        assert(one || !motion.driver); // what two surfaces have in common moves by time
+        if (one && motion.driver) driven.emplace(*one, *motion.driver, range);
         const std::vector<Part> parts = parts_of(motion);
         double whole = 0;
         for (const Part& part : parts) {
@@ -445,9 +445,9 @@ Timeline found_in(const Motions& all, const scene::Scene* scene, Interval range,
 
 } // namespace
 
-Timeline find_events(const scene::Scene& scene, Side side, Interval range,
+Timeline find_events(const scene::OneSurface& one, Side side, Interval range,
                      const EventSearchOptions& how, SearchCost* cost) {
-    return found_in(motions(scene, side, range), &scene, range, how, cost);
+    return found_in(motions(one, side, range), &one, range, how, cost);
 }
 
 Timeline find_events(const Motions& all, Interval range, const EventSearchOptions& how,

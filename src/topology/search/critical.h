@@ -34,7 +34,7 @@ struct SearchCost {
 //
 // Times are those of the real functions that the scene's text states, not of the floats with which
 // frames are drawn. Spherical bounds have two strata, the inside and the sphere.
-Timeline find_events(const scene::Scene& scene, Side side, formula::Interval range,
+Timeline find_events(const scene::OneSurface& one, Side side, formula::Interval range,
                      const EventSearchOptions& how = {}, SearchCost* cost = nullptr);
 // The same for a solid whose motions go by time.
 Timeline find_events(const Motions& all, formula::Interval range,

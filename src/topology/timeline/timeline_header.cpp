@@ -55,11 +55,11 @@ TimelineHeader::Box box_of(const scene::BoundsAt& bounds) {
 }
 
 // The fingerprint of what determines topology and, if it counts, of the placement.
-std::string fingerprint_of(const scene::Scene& scene, bool with_placement) {
-    const Animation& animation = scene.surface.animation;
-    const scene::Bounds& bounds = scene.surface.bounds;
+std::string fingerprint_of(const scene::OneSurface& one, bool with_placement) {
+    const Animation& animation = one.surface.animation;
+    const scene::Bounds& bounds = one.surface.bounds;
     Needed needed(animation);
-    for (int id = 0; id < scene.surface.parameters; ++id) needed.track(id);
+    for (int id = 0; id < one.surface.parameters; ++id) needed.track(id);
     for (const animation::Array& array : animation.arrays()) {
         for (const animation::ArrayField& field : array.fields) {
             if (const auto* expression = std::get_if<animation::Expression>(&field.source)) {
@@ -76,7 +76,7 @@ std::string fingerprint_of(const scene::Scene& scene, bool with_placement) {
         placed.push_back(bounds.radius);
     }
     if (with_placement) {
-        const scene::Placement& placement = scene.surface.placement;
+        const scene::Placement& placement = one.surface.placement;
         placed.insert(placed.end(), placement.translate.begin(), placement.translate.end());
         placed.insert(placed.end(), placement.rotate.begin(), placement.rotate.end());
         placed.push_back(placement.scale);
@@ -84,8 +84,8 @@ std::string fingerprint_of(const scene::Scene& scene, bool with_placement) {
     for (const scene::TrackId id : placed) needed.track(id);
 
     Fingerprint print;
-    print.add("isomotion topology 1").add(scene.surface.field->text);
-    print.add(std::to_string(animation.seed())).add(std::to_string(scene.surface.parameters));
+    print.add("isomotion topology 1").add(one.surface.field->text);
+    print.add(std::to_string(animation.seed())).add(std::to_string(one.surface.parameters));
     print.add(std::to_string(int(bounds.shape)));
     for (const int id : needed.tracks()) {
         scene::add(print, animation.tracks()[std::size_t(id)]);
@@ -97,20 +97,20 @@ std::string fingerprint_of(const scene::Scene& scene, bool with_placement) {
 
 } // namespace
 
-std::string fingerprint(const scene::Scene& scene) { return fingerprint_of(scene, false); }
+std::string fingerprint(const scene::OneSurface& one) { return fingerprint_of(one, false); }
 
-TimelineHeader header_of(const scene::Scene& scene, formula::Interval range) {
-    const auto bounds = [&](double time) { return box_of(scene::at(scene, time).surface.bounds); };
-    return {scene.title,
-            fingerprint(scene),
-            scene.timeline.fps,
-            scene.surface.bounds.shape,
+TimelineHeader header_of(const scene::OneSurface& one, formula::Interval range) {
+    const auto bounds = [&](double time) { return box_of(scene::surface_at(one, time).bounds); };
+    return {one.scene.title,
+            fingerprint(one),
+            one.scene.timeline.fps,
+            one.surface.bounds.shape,
             bounds(range.lo),
             bounds(range.hi),
             {}};
 }
 
-TimelineHeader header_of_contact(const scene::Scene& first, const scene::Scene& second,
+TimelineHeader header_of_contact(const scene::OneSurface& first, const scene::OneSurface& second,
                                  std::string title, formula::Interval range) {
     TimelineHeader header = header_of(first, range);
     header_of(second, range); // throws if its values are out of their range

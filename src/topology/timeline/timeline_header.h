@@ -37,15 +37,15 @@ struct TimelineRecord {
     bool operator==(const TimelineRecord&) const = default;
 };
 
-std::string fingerprint(const scene::Scene& scene);
+std::string fingerprint(const scene::OneSurface& one);
 
 // The bounds are those at the ends of `range` (seconds). Throws SceneError if values are out of
 // their range there.
-TimelineHeader header_of(const scene::Scene& scene, formula::Interval range);
+TimelineHeader header_of(const scene::OneSurface& one, formula::Interval range);
 
 // The same of what two surfaces have in common (analyse_contact), with the title of both. Here
 // placements count; the bounds are the first one's.
-TimelineHeader header_of_contact(const scene::Scene& first, const scene::Scene& second,
+TimelineHeader header_of_contact(const scene::OneSurface& first, const scene::OneSurface& second,
                                  std::string title, formula::Interval range);
 
 } // namespace isomotion::topology

@@ -42,8 +42,8 @@ public:
 private:
     static scene::Scene drawn(const Certified& on, Known known) {
         scene::Scene scene = on.subject.scene;
-        scene.surface.isolation.method = scene::Method::hermite;
-        if (known != Known::nothing) scene.surface.isolation.beam = true;
+        scene.surfaces[0].isolation.method = scene::Method::hermite;
+        if (known != Known::nothing) scene.surfaces[0].isolation.beam = true;
         return scene;
     }
     render::RenderOptions options(std::vector<Channel> channels) const {

@@ -19,8 +19,8 @@ using synthesis::Channel;
 constexpr double minute = 60e3; // ms
 
 Setting setting(const scene::Scene& scene, scene::Method method, int halvings = 0) {
-    return {method, std::ldexp(scene.surface.isolation.step, -halvings), 1,
-            scene.surface.isolation.bisections, scene.surface.isolation.safety};
+    return {method, std::ldexp(scene.surfaces[0].isolation.step, -halvings), 1,
+            scene.surfaces[0].isolation.bisections, scene.surfaces[0].isolation.safety};
 }
 
 double ms(const render::Picture& picture) {
@@ -122,7 +122,7 @@ std::int64_t rays(const Certified& on) {
 
 double operations(const scene::Scene& scene, scene::Method method) {
     scene::Scene with = scene;
-    with.surface.isolation.method = method;
+    with.surfaces[0].isolation.method = method;
     const synthesis::Passes passes = synthesis::assemble(with);
     std::vector<int> counts;
     for (const auto& array : passes.arrays) counts.push_back(array.capacity);
@@ -133,7 +133,7 @@ double operations(const scene::Scene& scene, scene::Method method) {
             return function != synthesis::FieldFunction::rough && is_on_intervals(function);
         });
     }
-    return synthesis::cost(*scene.surface.field, passes, of_a_sample, counts).operations;
+    return synthesis::cost(*scene.surfaces[0].field, passes, of_a_sample, counts).operations;
 }
 
 double ratio(const Timing& slow, const Timing& fast) {
@@ -196,12 +196,12 @@ std::vector<Timing> race(gpu::Context& context, std::span<const Entrant> entrant
 
 Certified without_bounds(const Certified& on) {
     Certified empty{on.subject, on.frames, {}};
-    empty.subject.scene.surface.isolation.beam = false;
+    empty.subject.scene.surfaces[0].isolation.beam = false;
     for (scene::SceneAt& now : empty.frames) {
-        const glm::dvec3 away = 1e3 * now.surface.bounds.radius * now.camera.up;
-        now.surface.bounds.min += away;
-        now.surface.bounds.max += away;
-        now.surface.bounds.centre += away;
+        const glm::dvec3 away = 1e3 * now.surfaces[0].bounds.radius * now.camera.up;
+        now.surfaces[0].bounds.min += away;
+        now.surfaces[0].bounds.max += away;
+        now.surfaces[0].bounds.centre += away;
     }
     return empty;
 }
@@ -209,8 +209,12 @@ Certified without_bounds(const Certified& on) {
 Contest hold(gpu::Context& context, const Certified& on, std::span<const scene::Method> methods,
              int most_halvings, int repeat) {
     const scene::Scene& scene = on.subject.scene;
-    Contest contest{
-        on.subject.name, on.width(), int(on.frames.size()), scene.surface.isolation.step, {}, {}};
+    Contest contest{on.subject.name,
+                    on.width(),
+                    int(on.frames.size()),
+                    scene.surfaces[0].isolation.step,
+                    {},
+                    {}};
     Ladder ladder(context, on, most_halvings);
     const Certified empty = without_bounds(on);
     std::vector<Entrant> entrants{{&empty, setting(scene, scene::Method::amp_sign)}};

@@ -8,7 +8,7 @@ namespace {
 void add(std::vector<Growth>& grown, gpu::Context& context, const Growth& what, Subject subject,
          std::span<const scene::Method> methods, int repeat) {
     const Certified on = uncertified(std::move(subject), what.size);
-    const scene::Isolation& own = on.subject.scene.surface.isolation;
+    const scene::Isolation& own = on.subject.scene.surfaces[0].isolation;
     std::vector<Entrant> entrants;
     for (const scene::Method method : methods) {
         entrants.push_back({&on, {method, own.step, 1, own.bisections}});
@@ -21,7 +21,7 @@ void add(std::vector<Growth>& grown, gpu::Context& context, const Growth& what, 
         grown.back().timing = timings[k];
         grown.back().rays = meeting;
         // Sums go by lists: how many elements an evaluation takes is not known.
-        if (timings[k].refused.empty() && on.subject.scene.surface.animation.counts().empty())
+        if (timings[k].refused.empty() && on.subject.scene.surfaces[0].animation.counts().empty())
             grown.back().operations = operations(on.subject.scene, methods[k]);
     }
 }

@@ -48,7 +48,7 @@ double ms_since(Clock::time_point start) {
 
 std::unique_ptr<render::Renderer> renderer_of(gpu::Context& context, scene::Scene scene,
                                               const std::string& method) {
-    if (!method.empty()) scene.surface.isolation.method = scene::parse_method(method).value();
+    if (!method.empty()) scene.surfaces[0].isolation.method = scene::parse_method(method).value();
     using synthesis::Channel;
     const std::vector channels{Channel::normal, Channel::position, Channel::verdict,
                                Channel::evaluations};

@@ -120,7 +120,7 @@ TEST_P(Reaching, TheWalls) {
     const CertifiedFrame proved = certify_frame(frame.formula(Side::negative), frame.bounds);
     ASSERT_TRUE(proved.betti) << describe(proved);
     const SignGrid grid =
-        frame_signs(*scene.surface.field, frame.numbers, frame.bounds, Side::negative, 128);
+        frame_signs(*scene.surfaces[0].field, frame.numbers, frame.bounds, Side::negative, 128);
     EXPECT_EQ(*proved.betti, betti(grid));
     if (GetParam().betti != Betti{}) {
         EXPECT_EQ(*proved.betti, GetParam().betti);
@@ -299,8 +299,8 @@ TEST(CertifiedFrame, FramesAgreeWithGrids) {
         if (!frame.betti) continue;
         ++proved;
         const StillScene numbers(scene, 0);
-        const SignGrid grid =
-            frame_signs(*scene.surface.field, numbers.numbers, numbers.bounds, Side::positive, 160);
+        const SignGrid grid = frame_signs(*scene.surfaces[0].field, numbers.numbers, numbers.bounds,
+                                          Side::positive, 160);
         EXPECT_EQ(*frame.betti, betti(grid)) << "seed " << seed;
     }
     EXPECT_GE(proved, 3);
@@ -319,7 +319,7 @@ SpaceBox eighth_of(SpaceBox box, formula::Random& random) {
 TEST(FrameField, EnclosesValuesAndSlopes) {
     const scene::Scene scene = animated("blobby75");
     const StillScene frame(scene, 1.1);
-    formula::FieldEvaluator<double> field(*scene.surface.field);
+    formula::FieldEvaluator<double> field(*scene.surfaces[0].field);
     FrameField boxes(frame.formula(Side::positive));
     formula::Random random(3);
     int expanded = 0;

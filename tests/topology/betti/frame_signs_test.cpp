@@ -43,7 +43,7 @@ TEST(FrameSigns, Known) {
         EXPECT_EQ(solid_side(scene), one.side) << one.formula;
         const StillScene frame(scene, 0);
         for (int threads : {1, 3}) {
-            const SignGrid grid = frame_signs(*scene.surface.field, frame.numbers, frame.bounds,
+            const SignGrid grid = frame_signs(*scene.surfaces[0].field, frame.numbers, frame.bounds,
                                               one.side, 60, threads);
             EXPECT_EQ(betti(grid), one.betti) << one.formula;
         }
@@ -54,8 +54,8 @@ TEST(FrameSigns, TheSameForAnyNumberOfThreads) {
     const scene::Scene scene = still("sin(5*x) + sin(6*y) + sin(7*z) - 0.3", "{ sphere = 2 }");
     const StillScene frame(scene, 0);
     const auto signs = [&](int threads) {
-        return frame_signs(*scene.surface.field, frame.numbers, frame.bounds, Side::negative, 70,
-                           threads);
+        return frame_signs(*scene.surfaces[0].field, frame.numbers, frame.bounds, Side::negative,
+                           70, threads);
     };
     EXPECT_EQ(signs(1), signs(4));
 }
@@ -63,15 +63,15 @@ TEST(FrameSigns, TheSameForAnyNumberOfThreads) {
 // What evaluates is used again for the next frame, and keeps nothing of the one before.
 TEST(FrameSigns, OfAFrameAfterOthersAreThoseOfTheFrameAlone) {
     const scene::Scene scene = animated("blobby75");
-    const FrameSigns signs_of(*scene.surface.field);
+    const FrameSigns signs_of(*scene.surfaces[0].field);
     Work unlimited;
     for (const double time : {2.0, 0.0, 1.3, 0.4, 2.0}) {
         const StillScene frame(scene, time);
         for (const int threads : {2, 1}) {
             EXPECT_EQ(
                 signs_of.at(frame.numbers, frame.bounds, Side::positive, 40, threads, unlimited),
-                frame_signs(*scene.surface.field, frame.numbers, frame.bounds, Side::positive, 40,
-                            1))
+                frame_signs(*scene.surfaces[0].field, frame.numbers, frame.bounds, Side::positive,
+                            40, 1))
                 << time;
         }
     }
@@ -84,7 +84,7 @@ TEST(FrameSigns, BlobbyFallsTogether) {
          {std::pair{0.0, Betti{75, 0, 0}}, std::pair{2.0, Betti{1, 0, 0}}}) {
         const StillScene frame(scene, time);
         const SignGrid grid =
-            frame_signs(*scene.surface.field, frame.numbers, frame.bounds, Side::positive, 96);
+            frame_signs(*scene.surfaces[0].field, frame.numbers, frame.bounds, Side::positive, 96);
         EXPECT_EQ(betti(grid), expected) << time;
     }
 }
@@ -108,12 +108,12 @@ cz = "random(i, 3) - 0.5"
 )",
                                                         formula));
         const scene::SceneAt now = scene::at_frame(scene, 1);
-        const FrameSigns by_place(*scene.surface.field, scene.surface.animation.counts());
+        const FrameSigns by_place(*scene.surfaces[0].field, scene.surfaces[0].animation.counts());
         Work of_near, of_all;
-        const auto near = by_place.at(now, Side::negative, 40, 2, of_near);
-        const auto all = FrameSigns(*scene.surface.field)
-                             .at(formula::convert<double>(now.surface.bindings), now.surface.bounds,
-                                 Side::negative, 40, 2, of_all);
+        const auto near = by_place.at(now.surfaces[0], Side::negative, 40, 2, of_near);
+        const auto all = FrameSigns(*scene.surfaces[0].field)
+                             .at(formula::convert<double>(now.surfaces[0].bindings),
+                                 now.surfaces[0].bounds, Side::negative, 40, 2, of_all);
         EXPECT_EQ(near, all) << formula;
         EXPECT_LT(of_near.done(), of_all.done()) << formula;
     }

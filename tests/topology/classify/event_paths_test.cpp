@@ -133,8 +133,8 @@ TEST(EventPaths, OfCrowds) {
             if (!before.after || after.time.lo - before.time.hi < 0.03) continue;
             ++compared;
             const StillScene frame(scene, before.time.hi / 2 + after.time.lo / 2);
-            const SignGrid grid =
-                frame_signs(*scene.surface.field, frame.numbers, frame.bounds, Side::positive, 128);
+            const SignGrid grid = frame_signs(*scene.surfaces[0].field, frame.numbers, frame.bounds,
+                                              Side::positive, 128);
             EXPECT_EQ(*before.after, betti(grid)) << "event " << k;
         }
     }

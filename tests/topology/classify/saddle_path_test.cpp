@@ -171,7 +171,7 @@ TEST(SaddlePath, BoundsOfAWholeSpan) {
         EXPECT_TRUE(contains(snapshot.box[0], 1.75));
         // Beyond the sphere at the span's beginning, though not beyond its walls.
         EXPECT_EQ(snapshot.is_inside({0.9, 0.9, 0}),
-                  scene.surface.bounds.shape == scene::Bounds::Shape::box);
+                  scene.surfaces[0].bounds.shape == scene::Bounds::Shape::box);
     }
 }
 

@@ -19,7 +19,7 @@ Times times(const std::string& source, Interval range, Interval value) {
         scene_of(fmt::format("[surface]\nformula = \"x^2 + y^2 + z^2 - c\"\nbounds = {{ sphere = 3 "
                              "}}\n[parameters]\nc = {}\n",
                              source));
-    return MonotoneTrack(scene, *scene.surface.animation.find("c"), range).times(value);
+    return MonotoneTrack(scene, *scene.surfaces[0].animation.find("c"), range).times(value);
 }
 
 TEST(MonotoneTrack, CrossesAndTurns) {

@@ -157,11 +157,11 @@ TEST(MovingField, IsTheFieldOfTheScene) {
             for (int k = 0; k < 50; ++k) {
                 const double t = middle(motion.clock) + 0.49 * width(motion.clock) * unit(random);
                 const Point p{unit(random), unit(random), unit(random), t};
-                const animation::Values values = scene.surface.animation.at(t);
+                const animation::Values values = scene.surfaces[0].animation.at(t);
                 formula::Bindings<double> bindings;
                 bindings.parameters = values.tracks;
                 bindings.arrays = values.arrays;
-                const double expected = formula::FieldEvaluator<double>(*scene.surface.field)
+                const double expected = formula::FieldEvaluator<double>(*scene.surfaces[0].field)
                                             .value(bindings, {p[0], p[1], p[2]});
                 ASSERT_NEAR(numbers.jet(p).value, -expected, 1e-12);
             }

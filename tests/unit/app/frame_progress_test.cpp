@@ -62,7 +62,7 @@ TEST(WhatCosts, IsWhatTheSceneAsksFor) {
                                           "costs.toml");
     EXPECT_EQ(what_costs(scene), "64x48 pixels (--size)");
     scene.output.samples = 16;
-    scene.surface.material.glass.emplace().depth = 6;
+    scene.surfaces[0].material.glass.emplace().depth = 6;
     EXPECT_EQ(what_costs(scene), "16 samples a pixel (--set output.samples=1), glass 6 rays deep "
                                  "(material.glass.depth), 64x48 pixels (--size)");
 }

@@ -87,9 +87,9 @@ TEST(ComputedElements, TellTheTracksThatTheyName) {
     const WebScene web = balls("cx = 'sin(i + a)'\ncy = 0\ncz = 0\n");
     const FrameValues values = frame_values(web);
     ASSERT_TRUE(values[0].computed[0]);
-    const auto json = json_of(*values[0].computed[0], web.first().scene, 0);
+    const auto json = json_of(*values[0].computed[0], web.surfaces[0].one.surface, 0);
     ASSERT_THAT(json["tracks"], SizeIs(1));
-    EXPECT_EQ(json["tracks"][0][0].get<int>(), *web.first().scene.surface.animation.find("a"));
+    EXPECT_EQ(json["tracks"][0][0].get<int>(), *web.surfaces[0].one.surface.animation.find("a"));
     EXPECT_TRUE(json["tracks"][0][1].contains("code"));
 }
 

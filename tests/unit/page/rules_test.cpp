@@ -21,14 +21,14 @@ scene::Scene with_parameters(const std::string& parameters) {
 
 TEST(Rules, ComeAfterWhatTheyDependOn) {
     const auto scene = with_parameters("a = '1 + b'\nb = '2*c'\nc = 0.5\n");
-    const auto rules = rules_of(scene);
+    const auto rules = rules_of(scene.surfaces[0]);
     ASSERT_EQ(rules["tracks"].size(), 2u);
-    const int b = scene.surface.animation.find("b").value();
+    const int b = scene.surfaces[0].animation.find("b").value();
     EXPECT_EQ(rules["tracks"][0][0], b);
     EXPECT_EQ(rules["tracks"][1][1]["tracks"][0], b);
     ASSERT_EQ(rules["bounds"].size(), 1u);
     EXPECT_EQ(rules["bounds"][0][0], 3); // the radius
-    EXPECT_TRUE(can_be_held(scene, b));
+    EXPECT_TRUE(can_be_held(scene.surfaces[0], b));
 }
 
 // As many ways as there are sums: each is gone once.
@@ -39,8 +39,8 @@ TEST(Rules, OfManyWaysTakeNoTime) {
                       std::to_string(k - 2) + "'\n";
     }
     const auto scene = with_parameters(parameters);
-    EXPECT_EQ(rules_of(scene)["tracks"].size(), 60u);
-    EXPECT_TRUE(can_be_held(scene, scene.surface.animation.find("p0").value()));
+    EXPECT_EQ(rules_of(scene.surfaces[0])["tracks"].size(), 60u);
+    EXPECT_TRUE(can_be_held(scene.surfaces[0], scene.surfaces[0].animation.find("p0").value()));
 }
 
 } // namespace

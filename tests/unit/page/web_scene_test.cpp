@@ -13,7 +13,6 @@
 #include "page/description.h"
 #include "page/frame_values.h"
 #include "scene/error.h"
-#include "scene/nth_surface.h"
 #include "scene/reading/load.h"
 #include "synthesis/assemble.h"
 #include "synthesis/beam_copies_text.h"
@@ -62,9 +61,9 @@ TEST(WebScene, RefusesTooManyElementsAndSaysHowManyFit) {
 
 TEST(WebScene, IsOfGlslEsWithoutListsProofsOrBuffers) {
     const WebScene web = web_scene(scene_of(balls(900) + "[isolation]\ncertify = true\n"));
-    EXPECT_FALSE(web.first().passes.has(synthesis::Role::proof));
-    ASSERT_FALSE(web.first().passes.list.empty());
-    for (const synthesis::Pass& pass : web.first().passes.list) {
+    EXPECT_FALSE(web.surfaces[0].passes.has(synthesis::Role::proof));
+    ASSERT_FALSE(web.surfaces[0].passes.list.empty());
+    for (const synthesis::Pass& pass : web.surfaces[0].passes.list) {
         SCOPED_TRACE(pass.name);
         EXPECT_THAT(pass.text, StartsWith("#version 300 es\n"));
         EXPECT_THAT(pass.vertex, StartsWith("#version 300 es\n"));
@@ -88,10 +87,12 @@ TEST(WebScene, OfSeveralSurfacesHasThePassesOfEach) {
     using synthesis::Role;
     const WebScene plain = web_scene(several());
     ASSERT_EQ(plain.surfaces.size(), 2u);
-    EXPECT_EQ(scene::surface_count(plain.whole), 2u);
-    for (const WebSurface& surface : plain.surfaces) {
+    EXPECT_EQ(plain.scene->surfaces.size(), 2u);
+    for (std::size_t k = 0; k < 2; ++k) {
+        const WebSurface& surface = plain.surfaces[k];
+        EXPECT_EQ(surface.one.index, k);
+        EXPECT_EQ(&surface.one.scene, plain.scene.get());
         EXPECT_TRUE(surface.passes.has(Role::fused));
-        EXPECT_FALSE(scene::has_several_surfaces(surface.scene));
         EXPECT_THAT(surface.passes.at(Role::fused).text, HasSubstr("surface_way"));
     }
     EXPECT_NE(plain.surfaces[0].passes.fingerprint(), plain.surfaces[1].passes.fingerprint());
@@ -106,7 +107,7 @@ TEST(WebScene, OfSeveralSurfacesHasThePassesOfEach) {
 TEST(WebScene, SurfacesAreAllDrawnInOneDrawEachOrNone) {
     using synthesis::Role;
     scene::Scene scene = several();
-    scene::nth_surface(scene, 1).surface.material.model = scene::Material::Model::ggx;
+    scene.surfaces[1].material.model = scene::Material::Model::ggx;
     const WebScene web = web_scene(std::move(scene));
     for (const WebSurface& surface : web.surfaces) EXPECT_FALSE(surface.passes.has(Role::fused));
 }
@@ -125,7 +126,7 @@ TEST(WebScene, RefusesGlassAmongSeveralSurfaces) {
     }
     const WebScene alone = web_scene(scene_of("formula = 'x^2 + y^2 + z^2 - 1'\nbounds = { sphere "
                                               "= 2 }\n[material]\ntransmission = 1\n"));
-    EXPECT_TRUE(alone.first().passes.has(synthesis::Role::glass));
+    EXPECT_TRUE(alone.surfaces[0].passes.has(synthesis::Role::glass));
 }
 
 TEST(FrameValues, OfSeveralSurfacesHaveTheirRowsAndOneCamera) {
@@ -184,7 +185,7 @@ TEST(WebScene, UpTo384ElementsAreCopiedToListsOfBeams) {
     using synthesis::Role;
     for (const int count : {9, 32, 33, 75, 129, 384}) {
         SCOPED_TRACE(count);
-        const synthesis::Passes passes = web_scene(scene_of(balls(count))).first().passes;
+        const synthesis::Passes passes = web_scene(scene_of(balls(count))).surfaces[0].passes;
         EXPECT_TRUE(synthesis::has_copies(passes));
         EXPECT_FALSE(synthesis::array_with_grid(passes));
         // From many elements on in three levels, as `render` finds them.
@@ -210,14 +211,14 @@ TEST(WebScene, UpTo384ElementsAreCopiedToListsOfBeams) {
     }
     for (const std::string& scene :
          {balls(8), balls(385), balls(75) + "[[lights]]\ndirection = [1, 0, 0]\nshadow = true\n"})
-        EXPECT_FALSE(synthesis::has_copies(web_scene(scene_of(scene)).first().passes)) << scene;
+        EXPECT_FALSE(synthesis::has_copies(web_scene(scene_of(scene)).surfaces[0].passes)) << scene;
 }
 
 // Rows of 16 elements, the last place of a list for its length.
 TEST(WebScene, ListsOfTheFirstBeamsHaveRoomForAllElements) {
     for (const int count : {9, 15, 16, 75, 383, 384}) {
         SCOPED_TRACE(count);
-        const synthesis::Passes passes = web_scene(scene_of(balls(count))).first().passes;
+        const synthesis::Passes passes = web_scene(scene_of(balls(count))).surfaces[0].passes;
         const int texels = passes.arrays[0].texels;
         EXPECT_GE(rows_of_copies(passes, 0) * 16 / texels, count + 1);
         EXPECT_LT(rows_of_copies(passes, 0) * 16 / texels, count + 17);
@@ -245,13 +246,14 @@ TEST(WebScene, ListsFitIntoTheTexturesThatEveryBrowserHas) {
           std::pair{384, 2}, std::pair{384, 3}, std::pair{384, 4}, std::pair{128, 5}}) {
         SCOPED_TRACE(fmt::format("{} elements of {} texels", count, texels));
         const WebScene web = web_scene(scene_of(balls_of_texels(count, texels)));
-        const synthesis::Passes& passes = web.first().passes;
+        const synthesis::Passes& passes = web.surfaces[0].passes;
         ASSERT_EQ(passes.arrays[0].texels, texels);
         ASSERT_TRUE(synthesis::has_copies(passes));
         int rows = 0;
         for (std::size_t level = 0; level < passes.beams.size(); ++level) {
             const synthesis::BeamLevel& beam = passes.beams[level];
-            const int across = (web.first().plan.march.tile_width + beam.block - 1) / beam.block;
+            const int across =
+                (web.surfaces[0].plan.march.tile_width + beam.block - 1) / beam.block;
             EXPECT_LE(16 * lists_of_a_block(beam) * across, 2048);
             rows += rows_of_copies(passes, int(level)) * across;
         }
@@ -265,14 +267,14 @@ TEST(WebScene, ListsThatWouldNotFitAreNotMade) {
     for (const auto& [count, texels] : {std::pair{100, 8}, std::pair{384, 6}, std::pair{128, 12}}) {
         SCOPED_TRACE(fmt::format("{} elements of {} texels", count, texels));
         const synthesis::Passes passes =
-            web_scene(scene_of(balls_of_texels(count, texels))).first().passes;
+            web_scene(scene_of(balls_of_texels(count, texels))).surfaces[0].passes;
         EXPECT_TRUE(synthesis::array_with_grid(passes) || synthesis::copies_fit(passes));
         EXPECT_EQ(passes.has(Role::beam_copies), synthesis::has_copies(passes));
         for (const synthesis::BeamLevel& level : passes.beams)
             EXPECT_EQ(level.lists != synthesis::BeamLists::none, synthesis::has_copies(passes));
     }
     EXPECT_FALSE(
-        synthesis::has_copies(web_scene(scene_of(balls_of_texels(384, 12))).first().passes));
+        synthesis::has_copies(web_scene(scene_of(balls_of_texels(384, 12))).surfaces[0].passes));
 }
 
 // A page that keeps no lists has fewer operations than `render` would compile.
@@ -280,7 +282,7 @@ TEST(WebScene, IsRefusedByTheLengthOfItsOwnShaders) {
     const scene::Scene scene = scene_of(balls_of_texels(12, 60));
     const double largest = synthesis::largest_shaders();
     EXPECT_GT(synthesis::inlined_size(synthesis::assemble(scene)), largest);
-    EXPECT_LT(synthesis::inlined_size(web_scene(scene).first().passes), largest);
+    EXPECT_LT(synthesis::inlined_size(web_scene(scene).surfaces[0].passes), largest);
     std::string waves = "x";
     for (int k = 1; k < 700; ++k) waves += fmt::format(" + sin({}*y)*cos({}.5*z)", k, k);
     const std::string text = fmt::format("formula = '{}'\nbounds = {{ sphere = 2 }}\n", waves);
@@ -310,14 +312,14 @@ TEST(FrameValues, OfManyFramesTakeLittleWhereLittleMoves) {
 TEST(FrameValues, HaveARowForEachMomentOfMotionBlur) {
     const std::string scene = balls(3) + "[time]\nframes = 5\nfps = 10\n[camera]\nshutter = 0.5\n";
     const WebScene web = web_scene(scene_of(scene + "[output]\nsamples = 4\n"));
-    EXPECT_THAT(moments(web.first().scene), testing::ElementsAre(0, 0.125, 0.25, 0.375));
+    EXPECT_THAT(moments(*web.scene), testing::ElementsAre(0, 0.125, 0.25, 0.375));
     EXPECT_EQ(frame_values(web)[0].view.rows(), 20u);
     EXPECT_THAT(moments(scene_of(balls(3))), testing::ElementsAre(0));
 }
 
 TEST(FrameValues, HaveAGridOfElementsThatAreFoundByPlace) {
     const WebScene web = web_scene(scene_of(balls(400) + "[time]\nframes = 2\n"));
-    ASSERT_TRUE(synthesis::array_with_grid(web.first().passes));
+    ASSERT_TRUE(synthesis::array_with_grid(web.surfaces[0].passes));
     EXPECT_FALSE(frame_values(web)[0].grids.empty());
     EXPECT_TRUE(frame_values(web_scene(scene_of(balls(20))))[0].grids.empty());
 }
@@ -329,8 +331,8 @@ TEST(FrameValues, AreARowAFrameAndAsLongAsTheShadersRead) {
         EXPECT_EQ(table->rows(), 7u) << table->name();
     ASSERT_EQ(values[0].arrays.size(), 1u);
     EXPECT_EQ(values[0].arrays[0].width(),
-              std::size_t(4 * 10 * web.first().passes.arrays[0].texels));
-    EXPECT_EQ(values[0].parameters.width(), std::size_t(4 * web.first().passes.vectors()));
+              std::size_t(4 * 10 * web.surfaces[0].passes.arrays[0].texels));
+    EXPECT_EQ(values[0].parameters.width(), std::size_t(4 * web.surfaces[0].passes.vectors()));
     std::size_t numbers = 0;
     for (const Place& place : values[0].view_places) numbers += std::size_t(place.count);
     EXPECT_EQ(values[0].view.width(), 2 * numbers);

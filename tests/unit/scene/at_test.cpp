@@ -11,13 +11,13 @@ class At : public Scenes {};
 TEST_F(At, BindingsAreRoundedToFloatOnce) {
     const Scene scene = loaded(blobs("count = 2\ncx = [0.1, 16777217]\nw = 0.7"));
     const SceneAt now = at_time(scene, 0);
-    EXPECT_THAT(now.surface.bindings.parameters, ElementsAre(0.7f));
-    EXPECT_THAT(now.surface.bindings.arrays.at(0).fields.at(0), ElementsAre(0.1f, 16777216.0f));
-    EXPECT_EQ(now.surface.bindings.arrays.at(0).count, 2);
+    EXPECT_THAT(now.surfaces[0].bindings.parameters, ElementsAre(0.7f));
+    EXPECT_THAT(now.surfaces[0].bindings.arrays.at(0).fields.at(0), ElementsAre(0.1f, 16777216.0f));
+    EXPECT_EQ(now.surfaces[0].bindings.arrays.at(0).count, 2);
 
     const Scene ratio = loaded(ball_with(9, "radius = \"1/3 + t/7\""));
     for (const double t : {0.0, 0.1, 2.5}) {
-        EXPECT_THAT(at_time(ratio, t).surface.bindings.parameters,
+        EXPECT_THAT(at_time(ratio, t).surfaces[0].bindings.parameters,
                     ElementsAre(float(1.0 / 3 + t / 7)));
     }
 }
@@ -32,9 +32,10 @@ TEST_F(At, ItIsTheSameEveryTime) {
     const SceneAt first = at_time(scene, 0.7);
     at_time(scene, 3);
     const SceneAt again = at_time(scene, 0.7);
-    EXPECT_EQ(first.surface.bindings.parameters, again.surface.bindings.parameters);
+    EXPECT_EQ(first.surfaces[0].bindings.parameters, again.surfaces[0].bindings.parameters);
     EXPECT_EQ(first.camera.position, again.camera.position);
-    EXPECT_NE(first.surface.bindings.parameters, at_time(scene, 3).surface.bindings.parameters);
+    EXPECT_NE(first.surfaces[0].bindings.parameters,
+              at_time(scene, 3).surfaces[0].bindings.parameters);
 }
 
 TEST_F(At, DirectionsToLightsHaveLengthOne) {

@@ -35,42 +35,42 @@ protected:
     std::string with(const std::string& more) const { return use + more; }
 
     float parameter(const Scene& scene, const std::string& name, double time = 0) const {
-        const auto track = scene.surface.animation.find(name).value();
-        EXPECT_LT(track, scene.surface.parameters) << name;
-        return at_time(scene, time).surface.bindings.parameters.at(std::size_t(track));
+        const auto track = scene.surfaces[0].animation.find(name).value();
+        EXPECT_LT(track, scene.surfaces[0].parameters) << name;
+        return at_time(scene, time).surfaces[0].bindings.parameters.at(std::size_t(track));
     }
     std::vector<float> column(const Scene& scene, std::size_t field) const {
-        return at_time(scene, 0).surface.bindings.arrays.at(0).fields.at(field);
+        return at_time(scene, 0).surfaces[0].bindings.arrays.at(0).fields.at(field);
     }
 };
 
 TEST_F(Catalogue, ASurfaceBringsEverythingAlong) {
     const Scene scene = used();
-    EXPECT_EQ(scene.surface.name, "knot");
+    EXPECT_EQ(scene.surfaces[0].name, "knot");
     EXPECT_EQ(scene.title, "scene"); // the title is the animation's
     EXPECT_EQ(parameter(scene, "k"), 6);
     EXPECT_EQ(parameter(scene, "m"), 0.5);
-    EXPECT_EQ(at_time(scene, 0).surface.bounds.radius, 1.5);
+    EXPECT_EQ(at_time(scene, 0).surfaces[0].bounds.radius, 1.5);
     EXPECT_THAT(column(scene, 0), ElementsAre(1, 2, 3));
     EXPECT_THAT(column(scene, 1), ElementsAre(0, 0.1f, 0.2f));
     EXPECT_EQ(parameter(scene, "balls.w"), 1);
-    EXPECT_EQ(scene.surface.isolation.method, Method::marching);
-    EXPECT_EQ(scene.surface.isolation.step, 0.25);
-    EXPECT_EQ(scene.surface.isolation.near, 0.125);
-    EXPECT_GT(scene.surface.isolation.far, 0); // not in the file: from the field
+    EXPECT_EQ(scene.surfaces[0].isolation.method, Method::marching);
+    EXPECT_EQ(scene.surfaces[0].isolation.step, 0.25);
+    EXPECT_EQ(scene.surfaces[0].isolation.near, 0.125);
+    EXPECT_GT(scene.surfaces[0].isolation.far, 0); // not in the file: from the field
 }
 
 TEST_F(Catalogue, ParametersOfTheSceneGoFirst) {
     const Scene scene = used("[parameters]\nk = \"8 + t\"\n");
     EXPECT_EQ(parameter(scene, "k", 1), 9);
     EXPECT_EQ(parameter(scene, "m", 1), 0.5);
-    EXPECT_EQ(at_time(used("[parameters]\nm = 2\n"), 0).surface.bounds.radius, 3);
+    EXPECT_EQ(at_time(used("[parameters]\nm = 2\n"), 0).surfaces[0].bounds.radius, 3);
     EXPECT_EQ(parameter(used("", {"m=0.75"}), "m"), 0.75);
 }
 
 TEST_F(Catalogue, ParametersMayBeGivenByOthersOfTheScene) {
     const Scene scene = used("[parameters]\nk = \"2*speed\"\nspeed = 4\n");
-    EXPECT_EQ(at_time(scene, 0).surface.bindings.parameters.at(0), 8);
+    EXPECT_EQ(at_time(scene, 0).surfaces[0].bindings.parameters.at(0), 8);
 }
 
 TEST_F(Catalogue, FieldsOfTheSceneGoFirst) {
@@ -84,11 +84,11 @@ TEST_F(Catalogue, FieldsOfTheSceneGoFirst) {
 TEST_F(Catalogue, SettingsAndBoundsOfTheSceneGoFirst) {
     const Scene scene = used("bounds = { box = [[-1, -1, -1], [1, 1, 1]] }\n"
                              "[isolation]\nstep = 0.5\nfar = 9\n");
-    EXPECT_EQ(scene.surface.bounds.shape, Bounds::Shape::box);
-    EXPECT_EQ(scene.surface.isolation.method, Method::marching);
-    EXPECT_EQ(scene.surface.isolation.step, 0.5);
-    EXPECT_EQ(scene.surface.isolation.near, 0.125);
-    EXPECT_EQ(scene.surface.isolation.far, 9);
+    EXPECT_EQ(scene.surfaces[0].bounds.shape, Bounds::Shape::box);
+    EXPECT_EQ(scene.surfaces[0].isolation.method, Method::marching);
+    EXPECT_EQ(scene.surfaces[0].isolation.step, 0.5);
+    EXPECT_EQ(scene.surfaces[0].isolation.near, 0.125);
+    EXPECT_EQ(scene.surfaces[0].isolation.far, 9);
 }
 
 TEST_F(Catalogue, UnknownSurfacesAreToldTheNearestOrAll) {

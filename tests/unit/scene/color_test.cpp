@@ -14,8 +14,9 @@ protected:
     // What colours the surface, in words.
     std::string of(const std::string& text) const {
         const Scene scene = loaded(text);
-        return scene.surface.material.color_by_place ? scene.surface.material.color_by_place->text
-                                                     : "plain";
+        return scene.surfaces[0].material.color_by_place
+                   ? scene.surfaces[0].material.color_by_place->text
+                   : "plain";
     }
 };
 
@@ -34,9 +35,10 @@ TEST_F(ColorOfScene, OfThePlaceIsAnExpression) {
     EXPECT_EQ(of(ball_and("[material]\ncolor = ['abs(nx)', '0.5 + z*t', 'radius*evaluations']")),
               "abs(nx), 0.5 + z*t, radius*evaluations");
     const Scene scene = loaded(ball_and("[material]\ncolor = ['t', { keys = [[0, 3]] }, 'x']"));
-    EXPECT_EQ(scene.surface.material.color_by_place->text, "as it is, as it is, x");
-    EXPECT_EQ(at_time(scene, 0.5).surface.color, glm::dvec3(0.5, 3, 0));
-    EXPECT_TRUE(loaded(ball(), {"material.color=['x', 'y', 0.5]"}).surface.material.color_by_place);
+    EXPECT_EQ(scene.surfaces[0].material.color_by_place->text, "as it is, as it is, x");
+    EXPECT_EQ(at_time(scene, 0.5).surfaces[0].color, glm::dvec3(0.5, 3, 0));
+    EXPECT_TRUE(
+        loaded(ball(), {"material.color=['x', 'y', 0.5]"}).surfaces[0].material.color_by_place);
 }
 
 TEST_F(ColorOfScene, AParameterMayServeItAlone) {
@@ -91,9 +93,10 @@ TEST_F(ColorOfScene, NamesAnyFieldOfAnArray) {
                                          "color = ['sum(blobs, tint*w)', 0, 0]");
     EXPECT_EQ(of(tint), "sum(blobs, tint*w), as it is, as it is");
     const Scene scene = loaded(tint);
-    EXPECT_EQ(scene.surface.field->packing, (formula::ArrayPacking{{0, 2, 1}}))
+    EXPECT_EQ(scene.surfaces[0].field->packing, (formula::ArrayPacking{{0, 2, 1}}))
         << "cx and w as without it, then tint";
-    EXPECT_EQ(at_time(scene, 0).surface.bindings.arrays[0].fields[1], (std::vector<float>{0, 1}));
+    EXPECT_EQ(at_time(scene, 0).surfaces[0].bindings.arrays[0].fields[1],
+              (std::vector<float>{0, 1}));
     EXPECT_EQ(
         mistake(blobs(two + "tint = [0, 1]\n[material]\ncolor = ['sum(blobs, tnit*w)', 0, 0]")),
         "scene.toml:10: material.color.x: unknown name 'tnit'; did you mean 'tint'?\n"

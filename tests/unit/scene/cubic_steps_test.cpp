@@ -16,7 +16,8 @@ protected:
                                   "formula = \"a*sin(k*x)*sin(k*y)*sin(k*z) - 0.6\"\n"
                                   "bounds = {{ sphere = 2 }}\n[parameters]\nk = {}\na = {}\n",
                                   frames, k, a))
-            .surface.cubic_steps;
+            .surfaces[0]
+            .cubic_steps;
     }
 };
 

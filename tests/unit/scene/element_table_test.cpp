@@ -28,7 +28,7 @@ protected:
         return mistake(drops(array, frames));
     }
     static formula::ArrayColumns<double> at_frame(const Scene& scene, int frame) {
-        return scene.surface.animation.at(scene.timeline.time(frame)).arrays[0];
+        return scene.surfaces[0].animation.at(scene.timeline.time(frame)).arrays[0];
     }
 };
 
@@ -40,7 +40,7 @@ TEST_F(ElementTables, StandStillWithoutATime) {
         EXPECT_THAT(columns.fields[0], ElementsAre(1, 4));
         EXPECT_THAT(columns.fields[2], ElementsAre(3, 6));
     }
-    EXPECT_EQ(scene.surface.animation.arrays()[0].count, 2);
+    EXPECT_EQ(scene.surfaces[0].animation.arrays()[0].count, 2);
 }
 
 // What is read once must be whole for each of those that read it.
@@ -58,9 +58,9 @@ TEST_F(ElementTables, SeveralArraysReadOneFileEachInItsWay) {
     const Scene scene = loaded(text + "\"x + sum(a, cy) + sum(b, cx + cy + again) + "
                                       "sum(c, who + when + cx) + sum(d, cy)\"");
     const auto field = [&](std::size_t a, const std::string& name, double t) {
-        const auto& fields = scene.surface.animation.arrays()[a].fields;
+        const auto& fields = scene.surfaces[0].animation.arrays()[a].fields;
         const auto at = std::ranges::find(fields, name, &animation::ArrayField::name);
-        return scene.surface.animation.at(t).arrays[a].fields[std::size_t(at - fields.begin())];
+        return scene.surfaces[0].animation.at(t).arrays[a].fields[std::size_t(at - fields.begin())];
     };
     for (const std::size_t a : {0u, 3u}) {
         EXPECT_THAT(field(a, "cy", 0), ElementsAre(10, 20));
@@ -112,7 +112,7 @@ TEST_F(ElementTables, FramesAreThoseOfTheScene) {
     EXPECT_THAT(at_frame(scene, 1).fields[0], ElementsAre(0));
     EXPECT_THAT(at_frame(scene, 2).fields[0], ElementsAre(5, 6));
     EXPECT_THAT(at_frame(scene, 3).fields[0], ElementsAre(7));
-    EXPECT_EQ(scene.surface.animation.arrays()[0].count, 2); // the most there are
+    EXPECT_EQ(scene.surfaces[0].animation.arrays()[0].count, 2); // the most there are
     // Exactly so at any rate of frames.
     write("d.csv", "frame,cx,cy,cz\n1,0,0,0\n500,5,0,0\n999,6,0,0\n");
     const Scene odd = loaded(drops("", 999), {"time.fps=\"30000/1001\""});
@@ -142,7 +142,7 @@ TEST_F(ElementTables, ALineWithTheTimeAloneIsNoElement) {
 TEST_F(ElementTables, ColumnsCanBeCalledDifferently) {
     const Scene scene = read("x,\"y, m\",z,Points:0,mass\n1,2,3,4,5\n",
                              "columns = { cx = \"x\", cy = \"y, m\", cz = \"z\" }");
-    const auto& fields = scene.surface.animation.arrays()[0].fields;
+    const auto& fields = scene.surfaces[0].animation.arrays()[0].fields;
     ASSERT_EQ(fields.size(), 4u); // and mass; Points:0 is no name a formula could say
     EXPECT_EQ(fields[1].name, "cy");
     EXPECT_THAT(at_frame(scene, 1).fields[1], ElementsAre(2));
@@ -158,7 +158,7 @@ TEST_F(ElementTables, ExpressionsMayNameColumnsAndTheirNumber) {
     const Scene scene =
         read("frame,px,cy,cz\n1,1,0,0\n1,2,0,0\n2,3,0,0\n3,4,0,0\n", "cx = \"10*px + n + t\"");
     const auto column = [&](int frame) {
-        const auto& fields = scene.surface.animation.arrays()[0].fields;
+        const auto& fields = scene.surfaces[0].animation.arrays()[0].fields;
         for (std::size_t k = 0; k < fields.size(); ++k) {
             if (fields[k].name == "cx") return at_frame(scene, frame).fields[k];
         }

@@ -22,7 +22,7 @@ const std::string on_a_lattice = "i - 10*floor(i/10)";
 class ElementsAtAPlace : public Scenes {
 protected:
     std::optional<double> found(const std::string& text) const {
-        return loaded(text).surface.elements_at_a_place;
+        return loaded(text).surfaces[0].elements_at_a_place;
     }
 };
 

@@ -24,8 +24,8 @@ class FoundBounds : public testing::TestWithParam<Body> {};
 TEST_P(FoundBounds, HoldTheSurfaceAndLittleElse) {
     const auto& [formula, centre, radius] = GetParam();
     const Scene scene = load(formula);
-    ASSERT_EQ(scene.surface.found_bounds, std::optional(true));
-    const BoundsAt bounds = at_frame(scene, 1).surface.bounds;
+    ASSERT_EQ(scene.surfaces[0].found_bounds, std::optional(true));
+    const BoundsAt bounds = at_frame(scene, 1).surfaces[0].bounds;
     EXPECT_GE(bounds.radius, radius + glm::length(bounds.centre - centre));
     EXPECT_LE(bounds.radius, 1.35 * radius);
 }
@@ -44,8 +44,8 @@ TEST(FoundBoundsOf, WhatGoesOnIsABallThatIsSaid) {
     for (const char* formula : {"z = sin(x)", "x^2 + y^2 = 1", "x^2 + y^2 + z^2 = -1", "1/x = 0",
                                 "x^2 + y^2 + z^2 = 101", "log(x) = y"}) {
         const Scene scene = load(formula);
-        EXPECT_EQ(scene.surface.found_bounds, std::optional(false)) << formula;
-        EXPECT_EQ(at_frame(scene, 1).surface.bounds.radius, 3) << formula;
+        EXPECT_EQ(scene.surfaces[0].found_bounds, std::optional(false)) << formula;
+        EXPECT_EQ(at_frame(scene, 1).surfaces[0].bounds.radius, 3) << formula;
     }
 }
 
@@ -55,9 +55,9 @@ TEST(FoundBoundsOf, WhatMovesAreOfAllFrames) {
     for (const int frame : {1, 48, 120}) {
         const SceneAt now = at_frame(scene, frame);
         const double x = 4 * std::sin((frame - 1) / 30.0);
-        EXPECT_GE(now.surface.bounds.radius,
-                  glm::length(now.surface.bounds.centre - glm::dvec3(x, 0, 0)) + 0.5);
-        EXPECT_LE(now.surface.bounds.radius, 6);
+        EXPECT_GE(now.surfaces[0].bounds.radius,
+                  glm::length(now.surfaces[0].bounds.centre - glm::dvec3(x, 0, 0)) + 0.5);
+        EXPECT_LE(now.surfaces[0].bounds.radius, 6);
     }
 }
 
@@ -68,7 +68,8 @@ TEST(FoundBoundsOf, WhatSwingsFastAreOfAllFrames) {
         const SceneAt now = at_frame(scene, frame);
         const double t = (frame - 1) / 30.0;
         const glm::dvec3 middle(2 * std::sin(47 * t), 2 * std::cos(31 * t), 0);
-        EXPECT_GE(now.surface.bounds.radius, glm::length(now.surface.bounds.centre - middle) + 0.5)
+        EXPECT_GE(now.surfaces[0].bounds.radius,
+                  glm::length(now.surfaces[0].bounds.centre - middle) + 0.5)
             << frame;
     }
 }
@@ -93,9 +94,10 @@ azimuth = "10*t"
                          "scene.toml");
     };
     const Scene one = scene(1), many = scene(80);
-    ASSERT_EQ(one.surface.found_bounds, std::optional(true));
-    EXPECT_EQ(many.surface.found_bounds, std::optional(true));
-    EXPECT_EQ(at_frame(many, 80).surface.bounds.radius, at_frame(one, 1).surface.bounds.radius);
+    ASSERT_EQ(one.surfaces[0].found_bounds, std::optional(true));
+    EXPECT_EQ(many.surfaces[0].found_bounds, std::optional(true));
+    EXPECT_EQ(at_frame(many, 80).surfaces[0].bounds.radius,
+              at_frame(one, 1).surfaces[0].bounds.radius);
 }
 
 TEST(FoundBoundsOf, ElementsHoldThemOrAreTooMany) {
@@ -115,14 +117,14 @@ cz = "2*random(i, 1) - 1"
                          "scene.toml");
     };
     const Scene few = scene(20);
-    EXPECT_EQ(few.surface.found_bounds, std::optional(true));
+    EXPECT_EQ(few.surfaces[0].found_bounds, std::optional(true));
     for (int frame = 1; frame <= 30; ++frame) {
         const SceneAt now = at_frame(few, frame);
-        const auto& p = now.surface.bindings.arrays[0];
+        const auto& p = now.surfaces[0].bindings.arrays[0];
         for (std::size_t e = 0; e < 20; ++e) {
             const glm::dvec3 middle(p.fields[0][e], p.fields[1][e], p.fields[2][e]);
-            EXPECT_GE(now.surface.bounds.radius,
-                      glm::length(now.surface.bounds.centre - middle) + 0.2)
+            EXPECT_GE(now.surfaces[0].bounds.radius,
+                      glm::length(now.surfaces[0].bounds.centre - middle) + 0.2)
                 << frame;
         }
     }
@@ -147,9 +149,9 @@ TEST(FoundBoundsOf, WhatASettingMovesHoldIt) {
         for (const double part : {0.0, 0.25, 0.5, 0.75}) {
             const SceneAt now = at_frame(*scene, 60, part);
             const double reach =
-                glm::length(now.surface.bounds.centre -
-                            glm::dvec3(now.surface.bindings.parameters.at(0), 0, 0));
-            EXPECT_GE(now.surface.bounds.radius, reach + 1) << part;
+                glm::length(now.surfaces[0].bounds.centre -
+                            glm::dvec3(now.surfaces[0].bindings.parameters.at(0), 0, 0));
+            EXPECT_GE(now.surfaces[0].bounds.radius, reach + 1) << part;
         }
     }
 }
@@ -168,9 +170,9 @@ TEST(WordOf, LoadsTheSceneAgain) {
 
 TEST(FoundBoundsOf, AFormulaIsASceneWithParametersThatAreSet) {
     const Scene scene = load("x^2 + y^2 + z^2 = a", {"a=4"});
-    EXPECT_NEAR(at_frame(scene, 1).surface.bounds.radius, 2.15, 0.15);
+    EXPECT_NEAR(at_frame(scene, 1).surfaces[0].bounds.radius, 2.15, 0.15);
     EXPECT_EQ(scene.title, "x^2 + y^2 + z^2 = a");
-    EXPECT_EQ(load("x^2 + y^2 + z^2 = 4", {"surface.bounds={sphere=7}"}).surface.found_bounds,
+    EXPECT_EQ(load("x^2 + y^2 + z^2 = 4", {"surface.bounds={sphere=7}"}).surfaces[0].found_bounds,
               std::nullopt);
     const auto mistake = [](const char* formula) -> std::string {
         try {

@@ -63,7 +63,8 @@ TEST_F(Framing, TheBoundingSphereIsInThePictureAndTouchesItsEdge) {
         const SceneAt now = framed(any_bounds(random), any_placement(random), fov, width, height);
         const Rays seen = rays(now, width, height);
         const auto on_sphere = [&](const glm::dvec3& direction) {
-            return picture(seen, now.surface.bounds.centre + now.surface.bounds.radius * direction);
+            return picture(seen, now.surfaces[0].bounds.centre +
+                                     now.surfaces[0].bounds.radius * direction);
         };
         for (int k = 0; k < 200; ++k) {
             const auto p = random.point(1);
@@ -85,7 +86,7 @@ TEST_F(Framing, TheMiddleOfTheBoundsIsTheMiddleOfThePicture) {
         SCOPED_TRACE(seed);
         Random random(seed);
         const SceneAt now = framed(any_bounds(random), any_placement(random), 40, 64, 48);
-        EXPECT_LT(glm::length(picture(rays(now, 64, 48), now.surface.bounds.centre)), 1e-9);
+        EXPECT_LT(glm::length(picture(rays(now, 64, 48), now.surfaces[0].bounds.centre)), 1e-9);
     }
 }
 

@@ -127,20 +127,21 @@ TEST_F(Outside, IsNotReadThroughALinkMadeMeanwhile) {
     const std::string text = file.string();
     const auto refusal = HasSubstr("lies outside the scene's folder");
     const Scene scene = with_links(load(text));
-    EXPECT_EQ(scene.surface.animation.at(scene.timeline.time(1)).arrays[0].fields[0].front(), 1);
+    EXPECT_EQ(scene.surfaces[0].animation.at(scene.timeline.time(1)).arrays[0].fields[0].front(),
+              1);
     for (const int frame : {2, 3}) { // no longer in memory
-        EXPECT_THAT([&] { scene.surface.animation.at(scene.timeline.time(frame)); },
+        EXPECT_THAT([&] { scene.surfaces[0].animation.at(scene.timeline.time(frame)); },
                     testing::ThrowsMessage<SceneError>(refusal));
     }
     EXPECT_THAT([&] { base::RegularFile(scene.environment->map, scene.environment->within); },
                 testing::ThrowsMessage<SceneError>(refusal));
     base::Fingerprint print;
-    EXPECT_THROW(add_array(print, scene.surface.animation, 0), SceneError);
+    EXPECT_THROW(add_array(print, scene.surfaces[0].animation, 0), SceneError);
 
     // Whoever allows others has them.
     write("scenes/own.csv", "");
     const Scene free = load(text, {}, Reach::anywhere);
-    EXPECT_EQ(free.surface.animation.at(free.timeline.time(2)).arrays[0].fields[0].front(), 77);
+    EXPECT_EQ(free.surfaces[0].animation.at(free.timeline.time(2)).arrays[0].fields[0].front(), 77);
     EXPECT_NO_THROW(base::RegularFile(free.environment->map, free.environment->within));
 }
 

@@ -138,7 +138,7 @@ TEST_F(Limits, ValuesOfAllArraysTogether) {
 
 TEST_F(Limits, ArraysThatNothingReadsCostNothing) {
     const Scene scene = loaded(arrays(32, 300, ""));
-    for (const auto& array : scene.surface.animation.at(scene.timeline.time(1)).arrays) {
+    for (const auto& array : scene.surfaces[0].animation.at(scene.timeline.time(1)).arrays) {
         EXPECT_EQ(array.count, 1'000'000);
         for (const auto& field : array.fields) EXPECT_TRUE(field.empty());
     }

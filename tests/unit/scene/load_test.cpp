@@ -59,15 +59,15 @@ TEST_F(Load, EverySection) {
     EXPECT_EQ(scene.timeline.fps, (animation::FrameRate{30000, 1001}));
     EXPECT_EQ(scene.timeline.frames, 120);
 
-    EXPECT_EQ(scene.surface.name, "");
-    EXPECT_EQ(scene.surface.bounds.shape, Bounds::Shape::sphere);
-    EXPECT_EQ(scene.surface.isolation.method, Method::amp_taylor);
-    EXPECT_EQ(scene.surface.isolation.step, 0.015);
-    EXPECT_EQ(scene.surface.isolation.near, 0.05);
-    EXPECT_EQ(scene.surface.isolation.far, 0.5);
-    EXPECT_EQ(scene.surface.isolation.horizon, 0.1);
-    EXPECT_EQ(scene.surface.isolation.bisections, 12);
-    EXPECT_EQ(scene.surface.isolation.limit, 5000);
+    EXPECT_EQ(scene.surfaces[0].name, "");
+    EXPECT_EQ(scene.surfaces[0].bounds.shape, Bounds::Shape::sphere);
+    EXPECT_EQ(scene.surfaces[0].isolation.method, Method::amp_taylor);
+    EXPECT_EQ(scene.surfaces[0].isolation.step, 0.015);
+    EXPECT_EQ(scene.surfaces[0].isolation.near, 0.05);
+    EXPECT_EQ(scene.surfaces[0].isolation.far, 0.5);
+    EXPECT_EQ(scene.surfaces[0].isolation.horizon, 0.1);
+    EXPECT_EQ(scene.surfaces[0].isolation.bisections, 12);
+    EXPECT_EQ(scene.surfaces[0].isolation.limit, 5000);
 
     EXPECT_TRUE(scene.camera.position);
     EXPECT_EQ(scene.lights.size(), 2u);
@@ -82,10 +82,10 @@ TEST_F(Load, WhatMovesIsReadAtItsTime) {
     const Scene scene = loaded(everything);
     const SceneAt now = at_time(scene, 1);
     EXPECT_EQ(now.time, 1);
-    EXPECT_EQ(now.surface.bounds.radius, 3);
-    EXPECT_EQ(now.surface.bounds.centre, glm::dvec3(0.5, 0, 3));
-    EXPECT_EQ(now.surface.placement.translate, glm::dvec3(1, 2, 3));
-    EXPECT_EQ(now.surface.placement.scale, 2);
+    EXPECT_EQ(now.surfaces[0].bounds.radius, 3);
+    EXPECT_EQ(now.surfaces[0].bounds.centre, glm::dvec3(0.5, 0, 3));
+    EXPECT_EQ(now.surfaces[0].placement.translate, glm::dvec3(1, 2, 3));
+    EXPECT_EQ(now.surfaces[0].placement.scale, 2);
     EXPECT_EQ(now.camera.position, glm::dvec3(3, 3, 1.5));
     EXPECT_EQ(now.camera.target, glm::dvec3(0, 0, 1));
     EXPECT_EQ(now.camera.up, glm::dvec3(0, 1, 0));
@@ -94,25 +94,25 @@ TEST_F(Load, WhatMovesIsReadAtItsTime) {
     EXPECT_EQ(now.lights.at(0).color, glm::dvec3(1, 0.5, 0.25));
     EXPECT_LT(glm::length(now.lights.at(1).direction - glm::dvec3(0.6, 0.8, 0)), 1e-15);
     EXPECT_EQ(now.lights.at(1).color, glm::dvec3(1));
-    EXPECT_EQ(now.surface.color, glm::dvec3(0.8, 0.3, 0.2));
+    EXPECT_EQ(now.surfaces[0].color, glm::dvec3(0.8, 0.3, 0.2));
 
     // Smooth keys of a vector: half way at half the time.
-    const PlacementAt half = now.surface.placement;
+    const PlacementAt half = now.surfaces[0].placement;
     EXPECT_LT(glm::length(half.rotate * glm::dvec3(1, 0, 0) - glm::dvec3(0, 1, 0)), 1e-12);
-    EXPECT_NE(at_time(scene, 0).surface.placement.rotate, half.rotate);
-    EXPECT_EQ(at_time(scene, 0).surface.placement.rotate, glm::dmat3(1));
+    EXPECT_NE(at_time(scene, 0).surfaces[0].placement.rotate, half.rotate);
+    EXPECT_EQ(at_time(scene, 0).surfaces[0].placement.rotate, glm::dmat3(1));
 
-    ASSERT_EQ(now.surface.bindings.arrays.size(), 1u);
-    EXPECT_EQ(now.surface.bindings.arrays[0].count, 3);
-    EXPECT_THAT(now.surface.bindings.arrays[0].fields[0],
+    ASSERT_EQ(now.surfaces[0].bindings.arrays.size(), 1u);
+    EXPECT_EQ(now.surfaces[0].bindings.arrays[0].count, 3);
+    EXPECT_THAT(now.surfaces[0].bindings.arrays[0].fields[0],
                 ElementsAre(-1, 0, 1)); // sorted: cx, cy, cz
-    EXPECT_THAT(now.surface.bindings.arrays[0].fields[1], ElementsAre(-1, 0, 1));
+    EXPECT_THAT(now.surfaces[0].bindings.arrays[0].fields[1], ElementsAre(-1, 0, 1));
 }
 
 TEST_F(Load, TheSeedIsThatOfRandomNumbers) {
     const auto centres = [&](const std::string& seed) {
         const Scene scene = loaded(everything, {"time.seed=" + seed});
-        return scene.surface.animation.at(0).arrays.at(0).fields.at(2);
+        return scene.surfaces[0].animation.at(0).arrays.at(0).fields.at(2);
     };
     for (int i = 0; i < 3; ++i) {
         EXPECT_EQ(centres("5")[std::size_t(i)], formula::random_unit(5, i, 0));
@@ -127,15 +127,15 @@ TEST_F(Load, DefaultsOfTheSmallestScene) {
     EXPECT_EQ(scene.title, "scene");
     EXPECT_EQ(scene.timeline.fps, (animation::FrameRate{30, 1}));
     EXPECT_EQ(scene.timeline.frames, 1);
-    EXPECT_EQ(scene.surface.isolation.method, Method::hermite);
-    EXPECT_EQ(scene.surface.isolation.safety, 32);
-    EXPECT_FALSE(scene.surface.isolation.beam);
-    EXPECT_EQ(scene.surface.isolation.step, 0.02); // a hundredth of the bounds' radius
-    EXPECT_EQ(scene.surface.isolation.bisections, 10);
-    EXPECT_EQ(scene.surface.isolation.limit, 100'000);
-    EXPECT_GT(scene.surface.isolation.near, 0);
-    EXPECT_GT(scene.surface.isolation.far, scene.surface.isolation.near);
-    EXPECT_GT(scene.surface.isolation.horizon, 0);
+    EXPECT_EQ(scene.surfaces[0].isolation.method, Method::hermite);
+    EXPECT_EQ(scene.surfaces[0].isolation.safety, 32);
+    EXPECT_FALSE(scene.surfaces[0].isolation.beam);
+    EXPECT_EQ(scene.surfaces[0].isolation.step, 0.02); // a hundredth of the bounds' radius
+    EXPECT_EQ(scene.surfaces[0].isolation.bisections, 10);
+    EXPECT_EQ(scene.surfaces[0].isolation.limit, 100'000);
+    EXPECT_GT(scene.surfaces[0].isolation.near, 0);
+    EXPECT_GT(scene.surfaces[0].isolation.far, scene.surfaces[0].isolation.near);
+    EXPECT_GT(scene.surfaces[0].isolation.horizon, 0);
     EXPECT_FALSE(scene.camera.position);
     ASSERT_EQ(scene.lights.size(), 1u);
     EXPECT_TRUE(scene.lights[0].headlight);
@@ -144,10 +144,10 @@ TEST_F(Load, DefaultsOfTheSmallestScene) {
     EXPECT_FALSE(scene.output.transparent);
 
     const SceneAt now = at_time(scene, 0);
-    EXPECT_EQ(now.surface.bounds.centre, glm::dvec3(0));
-    EXPECT_EQ(now.surface.placement.translate, glm::dvec3(0));
-    EXPECT_EQ(now.surface.placement.rotate, glm::dmat3(1));
-    EXPECT_EQ(now.surface.placement.scale, 1);
+    EXPECT_EQ(now.surfaces[0].bounds.centre, glm::dvec3(0));
+    EXPECT_EQ(now.surfaces[0].placement.translate, glm::dvec3(0));
+    EXPECT_EQ(now.surfaces[0].placement.rotate, glm::dmat3(1));
+    EXPECT_EQ(now.surfaces[0].placement.scale, 1);
     EXPECT_EQ(now.camera.up, glm::dvec3(0, 0, 1));
     EXPECT_EQ(now.camera.fov, 40);
     EXPECT_EQ(now.lights[0].color, glm::dvec3(1));
@@ -179,8 +179,8 @@ TEST_F(Load, TheBackgroundMayBeTransparent) {
 TEST_F(Load, BoxesHaveTheirMiddleAndCircumscribedSphere) {
     const Scene scene =
         loaded(ball_with(7, "bounds = { box = [[-1, -2, \"-3 - t\"], [3, 2, 1]] }"));
-    EXPECT_EQ(scene.surface.bounds.shape, Bounds::Shape::box);
-    const BoundsAt bounds = at_time(scene, 1).surface.bounds;
+    EXPECT_EQ(scene.surfaces[0].bounds.shape, Bounds::Shape::box);
+    const BoundsAt bounds = at_time(scene, 1).surfaces[0].bounds;
     EXPECT_EQ(bounds.min, glm::dvec3(-1, -2, -4));
     EXPECT_EQ(bounds.max, glm::dvec3(3, 2, 1));
     EXPECT_EQ(bounds.centre, glm::dvec3(1, 0, -1.5));
@@ -191,19 +191,19 @@ TEST_F(Load, BoxesHaveTheirMiddleAndCircumscribedSphere) {
 
 TEST_F(Load, ParametersComeFirstAmongTheTracks) {
     const Scene scene = loaded(everything);
-    const auto& tracks = scene.surface.animation.tracks();
+    const auto& tracks = scene.surfaces[0].animation.tracks();
     // The formula's: k, m and the blobs' w, which is the same for every one of them.
-    ASSERT_EQ(scene.surface.parameters, 3);
+    ASSERT_EQ(scene.surfaces[0].parameters, 3);
     EXPECT_EQ(tracks[0].name, "k");
     EXPECT_EQ(tracks[1].name, "m");
     EXPECT_EQ(tracks[2].name, "blobs.w");
-    EXPECT_EQ(at_time(scene, 0).surface.bindings.parameters.size(), 3u);
+    EXPECT_EQ(at_time(scene, 0).surfaces[0].bindings.parameters.size(), 3u);
 }
 
 TEST_F(Load, EveryMethodByItsName) {
     for (const MethodTraits& method : method_traits) {
         const std::string line = "[isolation]\nmethod = \"" + std::string(method.name) + "\"";
-        EXPECT_EQ(loaded(ball_and(line)).surface.isolation.method, method.method);
+        EXPECT_EQ(loaded(ball_and(line)).surfaces[0].isolation.method, method.method);
         EXPECT_EQ(name(method.method), method.name);
     }
     EXPECT_EQ(parse_method("AMP"), std::nullopt);

@@ -8,7 +8,7 @@ class Materials : public Scenes {
 protected:
     static std::string with(const std::string& lines) { return ball_and("[material]\n" + lines); }
     glm::dvec4 gloss(const std::string& lines, double time = 0) const {
-        return at_time(loaded(with(lines)), time).surface.gloss;
+        return at_time(loaded(with(lines)), time).surfaces[0].gloss;
     }
 };
 
@@ -75,8 +75,8 @@ TEST_F(Materials, NumbersInTheOrderOfTheShader) {
     EXPECT_EQ(gloss("model = \"ggx\""), glm::dvec4(0.4, 0, 0.04, 0));
     EXPECT_EQ(gloss("model = \"blinn-phong\""), glm::dvec4(50, 0.2, 0, 0));
     EXPECT_EQ(gloss("model = \"lambert\""), glm::dvec4(0));
-    EXPECT_EQ(at_time(loaded(ball()), 0).surface.gloss, glm::dvec4(0));
-    EXPECT_EQ(loaded(ball()).surface.material.model, Model::lambert);
+    EXPECT_EQ(at_time(loaded(ball()), 0).surfaces[0].gloss, glm::dvec4(0));
+    EXPECT_EQ(loaded(ball()).surfaces[0].material.model, Model::lambert);
 }
 
 TEST_F(Materials, NumbersMove) {
@@ -89,22 +89,22 @@ TEST_F(Materials, NumbersMove) {
 
 TEST_F(Materials, TheCommandLineSetsThem) {
     const Scene scene = loaded(ball(), {"material.model=ggx", "material.roughness=0.1"});
-    EXPECT_EQ(scene.surface.material.model, Model::ggx);
-    EXPECT_EQ(at_time(scene, 0).surface.gloss.x, 0.1);
+    EXPECT_EQ(scene.surfaces[0].material.model, Model::ggx);
+    EXPECT_EQ(at_time(scene, 0).surfaces[0].gloss.x, 0.1);
 }
 
 TEST_F(Materials, WhatLightGoesThrough) {
-    EXPECT_FALSE(loaded(ball()).surface.material.glass);
+    EXPECT_FALSE(loaded(ball()).surfaces[0].material.glass);
     const Scene plain = loaded(with("transmission = 1"));
-    EXPECT_EQ(plain.surface.material.glass->depth, 4);
-    EXPECT_EQ(at_time(plain, 0).surface.glass.ior, 1.5);
+    EXPECT_EQ(plain.surfaces[0].material.glass->depth, 4);
+    EXPECT_EQ(at_time(plain, 0).surfaces[0].glass.ior, 1.5);
     const Scene moving = loaded(with("transmission = \"t/2\"\nior = \"1 + t\"\ndepth = 16\n"
                                      "absorption = [\"t\", 0, 0.5]"));
-    const GlassAt glass = at_time(moving, 1).surface.glass;
+    const GlassAt glass = at_time(moving, 1).surfaces[0].glass;
     EXPECT_EQ(glass.transmission, 0.5);
     EXPECT_EQ(glass.ior, 2);
     EXPECT_EQ(glass.absorption, glm::dvec3(1, 0, 0.5));
-    EXPECT_EQ(moving.surface.material.glass->depth, 16);
+    EXPECT_EQ(moving.surfaces[0].material.glass->depth, 16);
 }
 
 TEST_F(Materials, WhatLightCannotGoThrough) {
@@ -143,8 +143,8 @@ TEST_F(Materials, OfTheCatalogue) {
     surface("glossy", body + "roughness = 0.5\n");
     const Scene scene =
         loaded("[surface]\nuse = \"blue\"\n[material]\nmodel = \"ggx\"\nroughness = 0\n");
-    EXPECT_EQ(scene.surface.material.model, Model::ggx);
-    EXPECT_EQ(at_time(scene, 0).surface.color, glm::dvec3(0, 0, 1));
+    EXPECT_EQ(scene.surfaces[0].material.model, Model::ggx);
+    EXPECT_EQ(at_time(scene, 0).surfaces[0].color, glm::dvec3(0, 0, 1));
     EXPECT_EQ(mistake("[surface]\nuse = \"glossy\"\n"),
               "animations/surfaces/glossy.toml:5: material.roughness: unknown key; known here: "
               "back_color, color");

@@ -16,27 +16,28 @@ protected:
 };
 
 TEST_F(Overrides, AParameterByItsName) {
-    EXPECT_EQ(set({"radius=2"}).surface.bindings.parameters[0], 2);
-    EXPECT_EQ(set({"radius=-1.5e-3"}).surface.bindings.parameters[0], -1.5e-3f);
-    EXPECT_EQ(set({"parameters.radius=2"}).surface.bindings.parameters[0], 2);
+    EXPECT_EQ(set({"radius=2"}).surfaces[0].bindings.parameters[0], 2);
+    EXPECT_EQ(set({"radius=-1.5e-3"}).surfaces[0].bindings.parameters[0], -1.5e-3f);
+    EXPECT_EQ(set({"parameters.radius=2"}).surfaces[0].bindings.parameters[0], 2);
 }
 
 TEST_F(Overrides, AnExpressionWithAndWithoutQuotes) {
-    EXPECT_EQ(set({"radius=2+t"}, 3).surface.bindings.parameters[0], 5);
-    EXPECT_EQ(set({"radius=\"2+t\""}, 3).surface.bindings.parameters[0], 5);
-    EXPECT_EQ(set({"radius='2+t'"}, 3).surface.bindings.parameters[0], 5);
-    EXPECT_EQ(set({"radius=2 + max(t, 1)"}, 3).surface.bindings.parameters[0], 5);
+    EXPECT_EQ(set({"radius=2+t"}, 3).surfaces[0].bindings.parameters[0], 5);
+    EXPECT_EQ(set({"radius=\"2+t\""}, 3).surfaces[0].bindings.parameters[0], 5);
+    EXPECT_EQ(set({"radius='2+t'"}, 3).surfaces[0].bindings.parameters[0], 5);
+    EXPECT_EQ(set({"radius=2 + max(t, 1)"}, 3).surfaces[0].bindings.parameters[0], 5);
 }
 
 TEST_F(Overrides, Keyframes) {
-    EXPECT_EQ(set({"radius={ keys = [[0, 1], [1, 3]] }"}, 0.5).surface.bindings.parameters[0], 2);
+    EXPECT_EQ(set({"radius={ keys = [[0, 1], [1, 3]] }"}, 0.5).surfaces[0].bindings.parameters[0],
+              2);
 }
 
 TEST_F(Overrides, AnyKeyOfTheFile) {
     EXPECT_EQ(set({"camera.fov=30"}).camera.fov, 30);
     EXPECT_EQ(set({"camera.up=[0,1,0]"}).camera.up, glm::dvec3(0, 1, 0));
     EXPECT_EQ(set({"camera.up=[0, '1+t', 0]"}, 1).camera.up, glm::dvec3(0, 2, 0));
-    EXPECT_EQ(set({"surface.bounds.sphere=3"}).surface.bounds.radius, 3);
+    EXPECT_EQ(set({"surface.bounds.sphere=3"}).surfaces[0].bounds.radius, 3);
     EXPECT_EQ(loaded(ball(), {"output.size=[32, 16]"}).output.height, 16);
     EXPECT_EQ(loaded(ball(), {"time.fps=24000/1001"}).timeline.fps.denominator, 1001);
 }
@@ -52,14 +53,14 @@ TEST_F(Overrides, AWholeCameraInPlaceOfTheScenes) {
 }
 
 TEST_F(Overrides, SectionsTheFileDoesNotHave) {
-    EXPECT_EQ(set({"material.color=[1, 0, 0]"}).surface.color, glm::dvec3(1, 0, 0));
-    EXPECT_EQ(set({"surface.transform.scale=2"}).surface.placement.scale, 2);
-    EXPECT_EQ(loaded(ball(), {"isolation.method=amp-taylor"}).surface.isolation.method,
+    EXPECT_EQ(set({"material.color=[1, 0, 0]"}).surfaces[0].color, glm::dvec3(1, 0, 0));
+    EXPECT_EQ(set({"surface.transform.scale=2"}).surfaces[0].placement.scale, 2);
+    EXPECT_EQ(loaded(ball(), {"isolation.method=amp-taylor"}).surfaces[0].isolation.method,
               Method::amp_taylor);
 }
 
 TEST_F(Overrides, TheLastOfTwoHolds) {
-    EXPECT_EQ(set({"radius=2", "radius=3"}).surface.bindings.parameters[0], 3);
+    EXPECT_EQ(set({"radius=2", "radius=3"}).surfaces[0].bindings.parameters[0], 3);
 }
 
 TEST_F(Overrides, WhatIsNoSetting) {
@@ -92,8 +93,8 @@ TEST_F(Overrides, ACountOfAnArrayThatNothingUses) {
     EXPECT_EQ(mistake(blobs("count = 2\ncx = \"i\"\nw = 1"), {"arrays.blob.count=3"}),
               "--set: arrays.blob.count" + why);
     const Scene scene = loaded(blobs("count = 2\ncx = \"i\"\nw = 1"), {"arrays.blobs.count=3"});
-    EXPECT_EQ(at_time(scene, 0).surface.bindings.counts(), std::vector{3});
-    EXPECT_EQ(loaded(ball_and("[arrays.p]\ncount = 3")).surface.animation.arrays().size(), 1u);
+    EXPECT_EQ(at_time(scene, 0).surfaces[0].bindings.counts(), std::vector{3});
+    EXPECT_EQ(loaded(ball_and("[arrays.p]\ncount = 3")).surfaces[0].animation.arrays().size(), 1u);
 }
 
 TEST_F(Overrides, ATableOfAListByItsNumber) {
@@ -112,7 +113,7 @@ TEST_F(Overrides, ATableOfAListByItsNumber) {
 TEST_F(Overrides, TakeThePlaceOfWhatTheyExclude) {
     EXPECT_EQ(loaded(ball_with(4, "seconds = 3"), {"time.frames=7"}).timeline.frames, 7);
     EXPECT_EQ(loaded(ball(), {"time.seconds=3"}).timeline.frames, 90);
-    EXPECT_EQ(set({"surface.bounds.box=[[-1, -1, -1], [1, 1, 2]]"}).surface.bounds.max.z, 2);
+    EXPECT_EQ(set({"surface.bounds.box=[[-1, -1, -1], [1, 1, 2]]"}).surfaces[0].bounds.max.z, 2);
     EXPECT_NEAR(set({"camera.elevation=90"}).camera.position.x, 0, 1e-12);
     EXPECT_THAT(wrong({"time.frames=7", "time.seconds=3"}),
                 StartsWith("--set: time.seconds: says again how long the scene is"));

@@ -13,31 +13,31 @@ protected:
 };
 
 TEST_F(PaintOfScene, IsAnExpressionARangeAndAMap) {
-    EXPECT_FALSE(loaded(ball()).surface.material.paint);
+    EXPECT_FALSE(loaded(ball()).surfaces[0].material.paint);
     const Scene plain = loaded(ball_and("[material.colormap]\nvalue = 'nz'\nrange = [-1, 1]"));
-    ASSERT_TRUE(plain.surface.material.paint);
-    EXPECT_EQ(plain.surface.material.paint->map, ColorMap::blue_yellow);
-    EXPECT_TRUE(plain.surface.material.paint->value->uses("nz"));
+    ASSERT_TRUE(plain.surfaces[0].material.paint);
+    EXPECT_EQ(plain.surfaces[0].material.paint->map, ColorMap::blue_yellow);
+    EXPECT_TRUE(plain.surfaces[0].material.paint->value->uses("nz"));
     const Scene moving = loaded(ball_and("[material]\ncolor = [1, 0, 0]\n[material.colormap]\n"
                                          "value = 'mean_curvature*radius'\n"
                                          "range = ['-t', { keys = [[0, 2.0], [1, 4.0]] }]\n"
                                          "map = 'blue-orange'"));
-    EXPECT_EQ(moving.surface.material.paint->map, ColorMap::blue_orange);
-    EXPECT_EQ(at_time(moving, 0.5).surface.paint_range, glm::dvec2(-0.5, 3));
+    EXPECT_EQ(moving.surfaces[0].material.paint->map, ColorMap::blue_orange);
+    EXPECT_EQ(at_time(moving, 0.5).surfaces[0].paint_range, glm::dvec2(-0.5, 3));
 }
 
 TEST_F(PaintOfScene, IsSetOnTheCommandLine) {
     const Scene scene =
         loaded(ball(), {"material.colormap.value=nz + x", "material.colormap.range=[1, -1]"});
-    ASSERT_TRUE(scene.surface.material.paint);
-    EXPECT_EQ(at_time(scene, 0).surface.paint_range, glm::dvec2(1, -1))
+    ASSERT_TRUE(scene.surfaces[0].material.paint);
+    EXPECT_EQ(at_time(scene, 0).surfaces[0].paint_range, glm::dvec2(1, -1))
         << "a map may run backwards";
 }
 
 TEST_F(PaintOfScene, AParameterMayServeThePaintAlone) {
     const std::string wave =
         "wave = 3\n[material.colormap]\nvalue = 'sin(wave*x)'\nrange = [-1, 1]";
-    EXPECT_TRUE(loaded(ball_with(9, "radius = 1\n" + wave)).surface.material.paint);
+    EXPECT_TRUE(loaded(ball_with(9, "radius = 1\n" + wave)).surfaces[0].material.paint);
     EXPECT_EQ(mistake(ball_with(9, "radius = 1\nwave = 3")),
               "scene.toml:10: parameters.wave: neither the formula nor an expression uses this "
               "parameter");

@@ -36,15 +36,15 @@ protected:
                            frames, array);
     }
     static formula::ArrayColumns<double> at_frame(const Scene& scene, int frame) {
-        return scene.surface.animation.at(scene.timeline.time(frame)).arrays[0];
+        return scene.surfaces[0].animation.at(scene.timeline.time(frame)).arrays[0];
     }
     static const FileFrames& source_of(const Scene& scene) {
         return dynamic_cast<const FileFrames&>(
-            scene.surface.animation.arrays()[0].samples->source());
+            scene.surfaces[0].animation.arrays()[0].samples->source());
     }
     std::string print_of(const Scene& scene) const {
         base::Fingerprint print;
-        scene::add_array(print, scene.surface.animation, 0);
+        scene::add_array(print, scene.surfaces[0].animation, 0);
         return print.text();
     }
 };
@@ -84,7 +84,7 @@ TEST_F(ParticleFrames, OfEveryFormatWithCountsThatChange) {
             write_bytes(fmt::format("{}/p.{:04}{}", sample.name, ++frame, extension), sample.bytes);
         }
         const Scene scene = loaded(scene_of(fmt::format("file = \"{}\"", name), 4));
-        EXPECT_EQ(scene.surface.animation.arrays()[0].count, 7) << name;
+        EXPECT_EQ(scene.surfaces[0].animation.arrays()[0].count, 7) << name;
         for (const int k : {2, 4, 1, 3}) {
             const auto columns = at_frame(scene, k);
             const auto expected = xs(std::data(clouds)[k - 1]);
@@ -104,7 +104,7 @@ TEST_F(ParticleFrames, AreAPureFunctionOfTime) {
     std::vector<formula::ArrayColumns<double>> in_order;
     const Scene scene = loaded(text);
     for (int k = 1; k <= 3 * frames - 2; ++k) {
-        in_order.push_back(scene.surface.animation.at((k - 1) / 30.0).arrays[0]);
+        in_order.push_back(scene.surfaces[0].animation.at((k - 1) / 30.0).arrays[0]);
         EXPECT_LE(source_of(scene).frames_now(), 6u);
     }
     // Each once, but for a few before the first frame was asked for.
@@ -114,7 +114,7 @@ TEST_F(ParticleFrames, AreAPureFunctionOfTime) {
     const Scene other = loaded(text);
     for (int k = 0; k < 200; ++k) {
         const std::size_t any = random() % in_order.size();
-        EXPECT_EQ(other.surface.animation.at(double(any) / 30).arrays[0], in_order[any])
+        EXPECT_EQ(other.surfaces[0].animation.at(double(any) / 30).arrays[0], in_order[any])
             << "seed " << seed;
         EXPECT_LE(source_of(other).frames_now(), 6u);
     }
@@ -144,11 +144,11 @@ TEST_F(ParticleFrames, MoveWhereTheirIdsAreNext) {
     write_bytes("p2.bgeo", particles::gzip(particles::bgeo(second)));
     const std::string files = "file = \"p#.bgeo\"\ninterpolation = ";
     const Scene scene = loaded(scene_of(files + "\"linear\"", 2));
-    EXPECT_THAT(scene.surface.animation.at(scene.timeline.time(1, 0.5)).arrays[0].fields[0],
+    EXPECT_THAT(scene.surfaces[0].animation.at(scene.timeline.time(1, 0.5)).arrays[0].fields[0],
                 ElementsAre(2, 10, 22));
     EXPECT_THAT(at_frame(scene, 2).fields[0], ElementsAre(24, 4));
     const Scene held = loaded(scene_of(files + "\"hold\"", 2));
-    EXPECT_THAT(held.surface.animation.at(held.timeline.time(1, 0.5)).arrays[0].fields[0],
+    EXPECT_THAT(held.surfaces[0].animation.at(held.timeline.time(1, 0.5)).arrays[0].fields[0],
                 ElementsAre(0, 10, 20));
 }
 
@@ -157,12 +157,12 @@ TEST_F(ParticleFrames, FollowTheirVelocities) {
     write_bytes("p2.bgeo", particles::bgeo(one(1, -10, 1)));
     const Scene scene = loaded(scene_of("file = \"p#.bgeo\"", 2));
     // Hermite over a tenth of a second: 1/2 + (1 + 1) / 8.
-    EXPECT_NEAR(scene.surface.animation.at(scene.timeline.time(1, 0.5)).arrays[0].fields[0][0],
+    EXPECT_NEAR(scene.surfaces[0].animation.at(scene.timeline.time(1, 0.5)).arrays[0].fields[0][0],
                 0.75, 1e-12);
     const Scene straight = loaded(scene_of("file = \"p#.bgeo\"\ninterpolation = \"linear\"", 2));
     EXPECT_NEAR(
-        straight.surface.animation.at(straight.timeline.time(1, 0.5)).arrays[0].fields[0][0], 0.5,
-        1e-12);
+        straight.surfaces[0].animation.at(straight.timeline.time(1, 0.5)).arrays[0].fields[0][0],
+        0.5, 1e-12);
     write_bytes("q1.xyz", particles::xyz(one(0, 0, 1)));
     EXPECT_EQ(mistake(scene_of("file = \"q#.xyz\"\ninterpolation = \"hermite\"", 1)),
               "q1.xyz: vx: there is no column vx, vy or vz beside x, y or z; interpolation = "
@@ -208,7 +208,7 @@ TEST_F(ParticleFrames, MistakesNameTheFile) {
         std::string message = "nothing is wrong";
         try {
             const Scene scene = loaded(scene_of(array, 1));
-            scene.surface.animation.at(scene.timeline.time(frame));
+            scene.surfaces[0].animation.at(scene.timeline.time(frame));
         } catch (const SceneError& error) {
             message = error.what();
         }

@@ -18,7 +18,7 @@ protected:
             fmt::format("bounds = {{ sphere = 1.5 }}\ntransform = {{ translate = {}, rotate = {}, "
                         "scale = {} }}",
                         list(translate), list(rotate), scale);
-        return at_time(loaded(ball_with(7, line)), 0).surface.placement;
+        return at_time(loaded(ball_with(7, line)), 0).surfaces[0].placement;
     }
 };
 

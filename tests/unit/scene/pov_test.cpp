@@ -56,9 +56,9 @@ glm::dvec3 vector(const animation::Values& values, const Vec3Track& track) {
 double value_at(const std::string& text, const glm::dvec3& place) {
     const Scene scene = scene_of(text);
     const SceneAt now = at_frame(scene, 1);
-    formula::Evaluator<double> evaluator(scene.surface.field->value);
+    formula::Evaluator<double> evaluator(scene.surfaces[0].field->value);
     double value = 0;
-    evaluator.point(formula::convert<double>(now.surface.bindings),
+    evaluator.point(formula::convert<double>(now.surfaces[0].bindings),
                     std::array{place.x, place.y, place.z}, {&value, 1});
     return value;
 }
@@ -68,9 +68,9 @@ TEST(Pov, FormulaParametersAndBounds) {
     const Scene scene = scene_of(pov_ball);
     const SceneAt now = at_frame(scene, 1);
     EXPECT_EQ(scene.title, "ball");
-    EXPECT_EQ(now.surface.bindings.parameters.front(), 2);
-    ASSERT_EQ(now.surface.bounds.shape, Bounds::Shape::box);
-    EXPECT_EQ(now.surface.bounds.max, glm::dvec3(3, 1, 2));
+    EXPECT_EQ(now.surfaces[0].bindings.parameters.front(), 2);
+    ASSERT_EQ(now.surfaces[0].bounds.shape, Bounds::Shape::box);
+    EXPECT_EQ(now.surfaces[0].bounds.max, glm::dvec3(3, 1, 2));
     const glm::dvec3 p(0.3, -0.4, 0.7); // their x, z and y
     const double expected =
         p.x * p.x + 2 * p.z * p.z + p.y * p.y - 4 + 0.1 * std::sin(3 * (p.x + 1)) - 0.5;
@@ -79,7 +79,7 @@ TEST(Pov, FormulaParametersAndBounds) {
 
 TEST(Pov, CameraLightsAndColours) {
     const Scene scene = scene_of(pov_ball);
-    const auto values = scene.surface.animation.at(scene.timeline.time(1));
+    const auto values = scene.surfaces[0].animation.at(scene.timeline.time(1));
     EXPECT_EQ(vector(values, *scene.camera.position), glm::dvec3(0, -4, 1));
     EXPECT_EQ(vector(values, *scene.camera.target), glm::dvec3(0, 0, 1));
     EXPECT_EQ(vector(values, scene.camera.up), glm::dvec3(0, 0, 1));
@@ -90,7 +90,7 @@ TEST(Pov, CameraLightsAndColours) {
     EXPECT_EQ(vector(values, scene.lights[0].direction), glm::dvec3(5, -4, 8));
     EXPECT_NEAR(vector(values, scene.lights[0].color).y, 0.3, 1e-12);
     EXPECT_TRUE(scene.lights[0].shadow);
-    EXPECT_EQ(vector(values, scene.surface.material.color), glm::dvec3(1, 0, 0));
+    EXPECT_EQ(vector(values, scene.surfaces[0].material.color), glm::dvec3(1, 0, 0));
     EXPECT_EQ(scene.output.background, (std::array<double, 3>{0.1, 0.2, 0.3}));
     EXPECT_EQ(scene.output.height, 480);
 }
@@ -99,7 +99,7 @@ TEST(Pov, CameraLightsAndColours) {
 TEST(Pov, TransformsTakePointsWherePovRayDoes) {
     const Scene scene = scene_of(pov_ball);
     const SceneAt now = at_frame(scene, 1);
-    const auto taken = [&](const glm::dvec3& p) { return now.surface.placement.to_world(p); };
+    const auto taken = [&](const glm::dvec3& p) { return now.surfaces[0].placement.to_world(p); };
     EXPECT_NEAR(glm::length(taken({1, 0, 0}) - glm::dvec3(0, -1, 1)), 0, 1e-9);
     EXPECT_NEAR(glm::length(taken({0, 1, 0}) - glm::dvec3(1, 0, 1)), 0, 1e-9);
     const Scene turned = scene_of(with("rotate 90*y", "scale 2 rotate <30, 40, 50>"));
@@ -110,7 +110,7 @@ TEST(Pov, TransformsTakePointsWherePovRayDoes) {
     p = {p.x, c.x * p.y - s.x * p.z, s.x * p.y + c.x * p.z};
     p = {c.y * p.x + s.y * p.z, p.y, -s.y * p.x + c.y * p.z};
     p = {c.z * p.x - s.z * p.y, s.z * p.x + c.z * p.y, p.z};
-    const glm::dvec3 ours = then.surface.placement.to_world({1, 3, 2});
+    const glm::dvec3 ours = then.surfaces[0].placement.to_world({1, 3, 2});
     EXPECT_NEAR(glm::length(ours - glm::dvec3(p.x, p.z, p.y + 1)), 0, 1e-9);
 }
 
@@ -141,27 +141,27 @@ TEST(Pov, TheClockMoves) {
         scene_of("isosurface { function { x*x + y*y + z*z - 1 - clock } rotate 360*clock*y }");
     EXPECT_EQ(scene.timeline.frames, 31);
     const SceneAt end = at_frame(scene, 16);
-    EXPECT_NEAR(end.surface.bindings.parameters.front(), 0.5, 1e-12);
+    EXPECT_NEAR(end.surfaces[0].bindings.parameters.front(), 0.5, 1e-12);
     EXPECT_NEAR(
-        glm::length(end.surface.placement.rotate * glm::dvec3(1, 0, 0) - glm::dvec3(-1, 0, 0)), 0,
-        1e-9);
+        glm::length(end.surfaces[0].placement.rotate * glm::dvec3(1, 0, 0) - glm::dvec3(-1, 0, 0)),
+        0, 1e-9);
 }
 
 TEST(Pov, DeclaredObjectsAndLooks) {
     const Scene scene = scene_of("#declare Red_ = texture { pigment { rgb <1, 0, 0> } finish "
                                  "{ phong 1 } }\n#declare Ball = quadric { <1, 1, 1>, 0, 0, -1 "
                                  "texture { Red_ } }\nobject { Ball }\n");
-    EXPECT_EQ(
-        vector(scene.surface.animation.at(scene.timeline.time(1)), scene.surface.material.color),
-        glm::dvec3(1, 0, 0));
-    EXPECT_EQ(scene.surface.material.model, Material::Model::blinn_phong);
+    EXPECT_EQ(vector(scene.surfaces[0].animation.at(scene.timeline.time(1)),
+                     scene.surfaces[0].material.color),
+              glm::dvec3(1, 0, 0));
+    EXPECT_EQ(scene.surfaces[0].material.model, Material::Model::blinn_phong);
 }
 
 // What cuts the surface counts; what only saves time does where nothing cuts it.
 TEST(Pov, BoundsAreOneShape) {
     const auto bounds_of = [](const std::string& parts) {
         const Scene scene = scene_of("quadric { <1, 1, -1>, 0, 0, -1 " + parts + " }\n");
-        return at_frame(scene, 1).surface.bounds;
+        return at_frame(scene, 1).surfaces[0].bounds;
     };
     const std::string ball = "{ sphere { 0, 2 } } ", box = "{ box { -3, 3 } } ";
     EXPECT_EQ(bounds_of("clipped_by " + ball + "bounded_by { clipped_by }").radius, 2);
@@ -169,7 +169,7 @@ TEST(Pov, BoundsAreOneShape) {
     EXPECT_EQ(bounds_of("bounded_by " + box + "clipped_by " + ball).radius, 2);
     EXPECT_EQ(bounds_of("bounded_by " + box).max.x, 3);
     const Scene unit = scene_of("isosurface { function { x*x + y*y + z*z - 1.2 } }\n");
-    EXPECT_EQ(at_frame(unit, 1).surface.bounds.min, glm::dvec3(-1));
+    EXPECT_EQ(at_frame(unit, 1).surfaces[0].bounds.min, glm::dvec3(-1));
     EXPECT_THAT(mistake_of("quadric { <1, 1, -1>, 0, 0, -1\nclipped_by " + ball + "\nclipped_by " +
                            box + "}\n"),
                 testing::StartsWith("ball.pov:3: clipped_by: is the second shape"));

@@ -107,7 +107,8 @@ constexpr std::array<const char*, 6> kinds{"ordinary", "wide",         "far away
 
 Case random_case(Random& random, int kind) {
     Case c;
-    BoundsAt& bounds = c.now.surface.bounds;
+    c.now.surfaces.resize(1);
+    BoundsAt& bounds = c.now.surfaces[0].bounds;
     bounds.radius = random.size(1e-4, 1e4);
     bounds.centre =
         random.below(2) ? glm::dvec3(0) : random.size(0.1, 10) * bounds.radius * random.direction();
@@ -187,9 +188,9 @@ protected:
         const Rays made = rays(c.now, c.size.x, c.size.y, c.aim);
         const glm::dvec3 forward = glm::normalize(glm::cross(made.up, made.right));
         const auto drawn = make_ray(uniforms);
-        const double radius = c.now.surface.bounds.radius;
+        const double radius = c.now.surfaces[0].bounds.radius;
         for (const Norm norm : {Norm::coordinate, Norm::length}) {
-            const RayRounding allowed = ray_rounding(made, c.now.surface.bounds, norm);
+            const RayRounding allowed = ray_rounding(made, c.now.surfaces[0].bounds, norm);
             const auto within = [&](double& used, double is, double most) {
                 EXPECT_LE(is, most) << (norm == Norm::length ? "length" : "coordinate");
                 used = std::max(used, is / most);
@@ -201,7 +202,7 @@ protected:
             const glm::dvec3 direction(exact.direction[0].rounded(), exact.direction[1].rounded(),
                                        exact.direction[2].rounded());
             // As truth's tubes count, ...
-            const double reach = radius + glm::length(anchor - c.now.surface.bounds.centre);
+            const double reach = radius + glm::length(anchor - c.now.surfaces[0].bounds.centre);
             // ... and as beams do.
             const double steepness = glm::dot(direction, forward);
             for (const double part : {-1.0, 1.0, random.in(-1, 1)}) {

@@ -24,11 +24,12 @@ glm::dmat3 any_rotation(Random& random) {
 
 SceneAt any_scene(Random& random) {
     SceneAt scene;
-    scene.surface.bounds.centre = any_vector(random, 2);
-    scene.surface.bounds.radius = std::exp(random.in(-2, 2));
-    scene.surface.placement.translate = any_vector(random, 10);
-    scene.surface.placement.rotate = any_rotation(random);
-    scene.surface.placement.scale = std::exp(random.in(-2, 2));
+    scene.surfaces.resize(1);
+    scene.surfaces[0].bounds.centre = any_vector(random, 2);
+    scene.surfaces[0].bounds.radius = std::exp(random.in(-2, 2));
+    scene.surfaces[0].placement.translate = any_vector(random, 10);
+    scene.surfaces[0].placement.rotate = any_rotation(random);
+    scene.surfaces[0].placement.scale = std::exp(random.in(-2, 2));
     scene.camera.position = any_vector(random, 20);
     scene.camera.target = any_vector(random, 20);
     scene.camera.up = any_vector(random, 1);
@@ -39,10 +40,10 @@ SceneAt any_scene(Random& random) {
 // A camera `distance` from the bounds, looking at them, in whose picture they are `part` large.
 SceneAt looking_at_bounds(Random& random, double distance, double part) {
     SceneAt scene = any_scene(random);
-    scene.camera.target = scene.surface.placement.to_world(scene.surface.bounds.centre);
+    scene.camera.target = scene.surfaces[0].placement.to_world(scene.surfaces[0].bounds.centre);
     scene.camera.position = scene.camera.target + distance * glm::normalize(any_vector(random, 1));
     const double half =
-        scene.surface.bounds.radius * scene.surface.placement.scale / (part * distance);
+        scene.surfaces[0].bounds.radius * scene.surfaces[0].placement.scale / (part * distance);
     scene.camera.fov = glm::degrees(2 * std::atan(half));
     return scene;
 }
@@ -69,7 +70,7 @@ TEST(Rays, PassThroughTheEye) {
     for_many_seeds([](Random& random, int width, int height) {
         const SceneAt scene = any_scene(random);
         const Rays r = rays(scene, width, height);
-        const glm::dvec3 eye = scene.surface.placement.to_local(scene.camera.position);
+        const glm::dvec3 eye = scene.surfaces[0].placement.to_local(scene.camera.position);
         const double size = glm::length(eye) + glm::length(r.axis);
         for (int k = 0; k < 20; ++k) {
             const glm::dvec2 at = any_pixel(random);
@@ -91,13 +92,13 @@ TEST(Rays, AnchorsLieOnThePlaneThroughTheBounds) {
             EXPECT_NEAR(glm::dot(off, forward), 0,
                         1e-15 * (glm::length(r.origin) + glm::length(off)));
         }
-        const glm::dvec3 eye = scene.surface.placement.to_local(scene.camera.position);
-        const double to_bounds = glm::dot(scene.surface.bounds.centre - eye, forward);
-        if (to_bounds > 0.5 * scene.surface.bounds.radius) {
-            EXPECT_NEAR(glm::dot(r.origin - scene.surface.bounds.centre, forward), 0,
+        const glm::dvec3 eye = scene.surfaces[0].placement.to_local(scene.camera.position);
+        const double to_bounds = glm::dot(scene.surfaces[0].bounds.centre - eye, forward);
+        if (to_bounds > 0.5 * scene.surfaces[0].bounds.radius) {
+            EXPECT_NEAR(glm::dot(r.origin - scene.surfaces[0].bounds.centre, forward), 0,
                         1e-13 * (1 + depth));
         } else {
-            EXPECT_DOUBLE_EQ(depth, 0.5 * scene.surface.bounds.radius);
+            EXPECT_DOUBLE_EQ(depth, 0.5 * scene.surfaces[0].bounds.radius);
         }
     });
 }
@@ -118,7 +119,7 @@ TEST(Rays, AreThoseOfAPinholeCamera) {
             const glm::dvec3 expected =
                 glm::normalize(forward + at.x * half * aspect * right + at.y * half * up);
             const glm::dvec3 direction =
-                scene.surface.placement.rotate * glm::normalize(along(r, at));
+                scene.surfaces[0].placement.rotate * glm::normalize(along(r, at));
             EXPECT_LT(glm::length(direction - expected), 1e-13);
         }
     });
@@ -129,7 +130,8 @@ TEST(Rays, TheMiddleLooksAtTheTarget) {
         const SceneAt scene = any_scene(random);
         const Rays r = rays(scene, width, height);
         const glm::dvec3 eye = r.origin - r.axis;
-        const glm::dvec3 to_target = scene.surface.placement.to_local(scene.camera.target) - eye;
+        const glm::dvec3 to_target =
+            scene.surfaces[0].placement.to_local(scene.camera.target) - eye;
         EXPECT_LT(glm::length(glm::normalize(to_target) - glm::normalize(r.axis)), 1e-12);
         // A picture of odd size has a pixel there.
         EXPECT_EQ(anchor(r, {0, 0}), r.origin);
@@ -144,28 +146,28 @@ TEST(Rays, DoNotDependOnTheWorldsUnitsAndOrigin) {
         const auto expect_same = [&](const SceneAt& other, double tolerance) {
             const Rays there = rays(other, width, height);
             const double size = glm::length(here.axis) + glm::length(here.right) +
-                                glm::length(here.up) + scene.surface.bounds.radius;
+                                glm::length(here.up) + scene.surfaces[0].bounds.radius;
             EXPECT_LT(glm::length(there.origin - here.origin), tolerance * size);
             EXPECT_LT(glm::length(there.axis - here.axis), tolerance * size);
             EXPECT_LT(glm::length(there.right - here.right), tolerance * size);
             EXPECT_LT(glm::length(there.up - here.up), tolerance * size);
         };
         SceneAt large = scene;
-        large.surface.placement.scale *= 1000;
-        for (glm::dvec3* p :
-             {&large.surface.placement.translate, &large.camera.position, &large.camera.target}) {
+        large.surfaces[0].placement.scale *= 1000;
+        for (glm::dvec3* p : {&large.surfaces[0].placement.translate, &large.camera.position,
+                              &large.camera.target}) {
             *p *= 1000;
         }
         expect_same(large, 1e-12);
 
         SceneAt moved = scene;
         const glm::dvec3 by(1e6, -1e6, 1e6);
-        for (glm::dvec3* p :
-             {&moved.surface.placement.translate, &moved.camera.position, &moved.camera.target}) {
+        for (glm::dvec3* p : {&moved.surfaces[0].placement.translate, &moved.camera.position,
+                              &moved.camera.target}) {
             *p += by;
         }
         // Coordinates of 10^6 keep ten digits behind the point; small scales magnify what is lost.
-        expect_same(moved, 1e-9 * std::max(1.0, 1 / scene.surface.placement.scale));
+        expect_same(moved, 1e-9 * std::max(1.0, 1 / scene.surfaces[0].placement.scale));
     });
 }
 
@@ -175,15 +177,15 @@ TEST(Rays, AnchorsKeepTheSizeOfTheBoundsWhenTheCameraIsFar) {
             SceneAt scene = looking_at_bounds(random, distance, 0.9);
             const Rays r = rays(scene, 512, 512);
             const double reach =
-                glm::length(scene.surface.bounds.centre) + 2 * scene.surface.bounds.radius;
+                glm::length(scene.surfaces[0].bounds.centre) + 2 * scene.surfaces[0].bounds.radius;
             for (int k = 0; k < 20; ++k) {
                 const glm::dvec3 a = anchor(r, any_pixel(random));
                 EXPECT_LT(glm::length(a), reach);
                 // As floats they are as good as floats near the bounds can be.
                 EXPECT_LT(glm::length(glm::dvec3(glm::vec3(a)) - a), 1e-7 * reach);
             }
-            EXPECT_LT(glm::length(r.origin - scene.surface.bounds.centre),
-                      1e-14 * distance / scene.surface.placement.scale + 1e-13 * reach);
+            EXPECT_LT(glm::length(r.origin - scene.surfaces[0].bounds.centre),
+                      1e-14 * distance / scene.surfaces[0].placement.scale + 1e-13 * reach);
         }
     });
 }
@@ -208,7 +210,7 @@ TEST(Rays, RightIsRightAndUpIsUp) {
     for_many_seeds([](Random& random, int width, int height) {
         const SceneAt scene = any_scene(random);
         const Rays r = rays(scene, width, height);
-        EXPECT_GT(glm::dot(scene.surface.placement.rotate * r.up, scene.camera.up), 0);
+        EXPECT_GT(glm::dot(scene.surfaces[0].placement.rotate * r.up, scene.camera.up), 0);
         // A right-handed frame: right, up, and back to the viewer.
         EXPECT_LT(glm::dot(glm::cross(r.right, r.up), r.axis), 0);
     });
@@ -216,6 +218,7 @@ TEST(Rays, RightIsRightAndUpIsUp) {
 
 TEST(Rays, OfAPictureByHand) {
     SceneAt scene;
+    scene.surfaces.resize(1);
     scene.camera = {{4, 0, 0}, {0, 0, 0}, {0, 0, 1}, 90};
     const Rays r = rays(scene, 200, 100);
     EXPECT_LT(glm::length(r.origin - glm::dvec3(0)), 1e-15);
@@ -227,6 +230,7 @@ TEST(Rays, OfAPictureByHand) {
 TEST(Rays, FromInsideTheBoundsAndBeforeThem) {
     for (const double x : {0.0, 0.2, -0.2, 5.0}) {
         SceneAt scene;
+        scene.surfaces.resize(1);
         scene.camera = {{x, 0, 0}, {x + 1, 0, 0}, {0, 0, 1}, 60};
         const Rays r = rays(scene, 64, 64);
         EXPECT_LT(glm::length(r.origin - r.axis - scene.camera.position), 1e-15) << x;
@@ -283,7 +287,7 @@ TEST(Rays, OfALensMeetInFocus) {
             const Rays still = rays(scene, width, height),
                        moved = rays(scene, width, height, {{0, 0}, lens});
             const double in_focus =
-                scene.camera.focus / scene.surface.placement.scale / glm::length(still.axis);
+                scene.camera.focus / scene.surfaces[0].placement.scale / glm::length(still.axis);
             const auto seen = [&](const Rays& r, double depth) {
                 return anchor(r, at) + (depth - 1) * towards(r, at);
             };
@@ -292,9 +296,9 @@ TEST(Rays, OfALensMeetInFocus) {
                                   glm::length(moved.axis));
             EXPECT_LT(glm::length(seen(moved, in_focus) - seen(still, in_focus)), 1e-12 * size);
             const glm::dvec3 place = seen(moved, 0) - seen(still, 0);
-            EXPECT_NEAR(glm::length(place) * scene.surface.placement.scale,
+            EXPECT_NEAR(glm::length(place) * scene.surfaces[0].placement.scale,
                         scene.camera.aperture / 2 * glm::length(lens),
-                        1e-12 * size * scene.surface.placement.scale);
+                        1e-12 * size * scene.surfaces[0].placement.scale);
             EXPECT_NEAR(glm::dot(place, glm::normalize(still.axis)), 0, 1e-12 * size);
         }
     });
@@ -307,7 +311,7 @@ TEST(Rays, OfALensAreTheSameInFormulaCoordinates) {
         const Rays a = rays(scene, width, height, aim),
                    b = rays(in_formula_coordinates(scene), width, height, aim);
         const double size = glm::length(a.origin) + glm::length(a.axis) +
-                            scene.camera.aperture / scene.surface.placement.scale;
+                            scene.camera.aperture / scene.surfaces[0].placement.scale;
         EXPECT_LT(glm::length(a.origin - b.origin), 1e-9 * size);
         EXPECT_LT(glm::length(a.axis - b.axis), 1e-9 * size);
     });

@@ -39,7 +39,7 @@ protected:
     // The fingerprint of how a scene moves and is seen.
     static std::string print(const Scene& scene) {
         base::Fingerprint print;
-        const animation::Animation& animation = scene.surface.animation;
+        const animation::Animation& animation = scene.surfaces[0].animation;
         for (const auto& track : animation.tracks()) add(print, track);
         for (std::size_t a = 0; a < animation.arrays().size(); ++a) add_array(print, animation, a);
         return print.text();
@@ -49,23 +49,23 @@ protected:
         EXPECT_EQ(print(one), print(other));
         for (const double time : {0.0, 1.5}) {
             const SceneAt a = at_time(one, time), b = at_time(other, time);
-            EXPECT_EQ(a.surface.placement.translate, b.surface.placement.translate);
-            EXPECT_EQ(a.surface.placement.scale, b.surface.placement.scale);
-            EXPECT_EQ(a.surface.paint_range, b.surface.paint_range);
-            EXPECT_EQ(a.surface.inside_color, b.surface.inside_color);
+            EXPECT_EQ(a.surfaces[0].placement.translate, b.surfaces[0].placement.translate);
+            EXPECT_EQ(a.surfaces[0].placement.scale, b.surfaces[0].placement.scale);
+            EXPECT_EQ(a.surfaces[0].paint_range, b.surfaces[0].paint_range);
+            EXPECT_EQ(a.surfaces[0].inside_color, b.surfaces[0].inside_color);
             EXPECT_EQ(a.occlusion.reach, b.occlusion.reach);
-            EXPECT_EQ(a.surface.bindings.arrays.size(), b.surface.bindings.arrays.size());
+            EXPECT_EQ(a.surfaces[0].bindings.arrays.size(), b.surfaces[0].bindings.arrays.size());
         }
-        EXPECT_TRUE(one.surface.material.paint && other.surface.material.paint);
-        EXPECT_TRUE(one.surface.material.inside && other.surface.material.inside);
+        EXPECT_TRUE(one.surfaces[0].material.paint && other.surfaces[0].material.paint);
+        EXPECT_TRUE(one.surfaces[0].material.inside && other.surfaces[0].material.inside);
     }
 };
 
 TEST_F(RenamedKeys, EveryFormerNameLoadsTheSameScene) {
     const Scene scene = loaded(text(now));
-    EXPECT_EQ(at_time(scene, 1.5).surface.placement.translate, glm::dvec3(1, 1.5, 3));
-    EXPECT_EQ(at_time(scene, 1.5).surface.paint_range, glm::dvec2(-1, 2.5));
-    EXPECT_EQ(at_time(scene, 2).surface.inside_color, glm::dvec3(0, 0.5, 1));
+    EXPECT_EQ(at_time(scene, 1.5).surfaces[0].placement.translate, glm::dvec3(1, 1.5, 3));
+    EXPECT_EQ(at_time(scene, 1.5).surfaces[0].paint_range, glm::dvec2(-1, 2.5));
+    EXPECT_EQ(at_time(scene, 2).surfaces[0].inside_color, glm::dvec3(0, 0.5, 1));
     EXPECT_EQ(at_time(scene, 2).occlusion.reach, 2.5);
     for (auto key : {&Spelling::transform, &Spelling::colormap, &Spelling::back_color,
                      &Spelling::radius, &Spelling::extrapolate}) {
@@ -82,9 +82,10 @@ TEST_F(RenamedKeys, OfTheCatalogue) {
     surface("ball", "formula = \"x^2 + y^2 + z^2 - 1\"\nbounds = { sphere = 2 }\n"
                     "[material]\ninside = [0, 0, 1]\n");
     const std::string use = "[surface]\nuse = \"ball\"\n";
-    EXPECT_EQ(at_time(loaded(use), 0).surface.inside_color, glm::dvec3(0, 0, 1));
-    EXPECT_EQ(at_time(loaded(use + "[material]\nback_color = [1, 0, 0]\n"), 0).surface.inside_color,
-              glm::dvec3(1, 0, 0));
+    EXPECT_EQ(at_time(loaded(use), 0).surfaces[0].inside_color, glm::dvec3(0, 0, 1));
+    EXPECT_EQ(
+        at_time(loaded(use + "[material]\nback_color = [1, 0, 0]\n"), 0).surfaces[0].inside_color,
+        glm::dvec3(1, 0, 0));
 }
 
 TEST_F(RenamedKeys, BothNamesAtOnceAreAMistake) {
@@ -157,14 +158,15 @@ TEST_F(RenamedKeys, TheCommandLineTakesBoth) {
                                                     "occlusion." + line.radius + "=9",
                                                     "arrays.drops." + line.extrapolate + "=hold"});
             const SceneAt there = at_time(scene, 0);
-            EXPECT_EQ(there.surface.placement.scale, 5);
-            EXPECT_EQ(there.surface.placement.translate, glm::dvec3(1, 0, 3));
-            EXPECT_EQ(there.surface.paint_range, glm::dvec2(0, 7));
-            EXPECT_EQ(there.surface.inside_color, glm::dvec3(1, 1, 0));
+            EXPECT_EQ(there.surfaces[0].placement.scale, 5);
+            EXPECT_EQ(there.surfaces[0].placement.translate, glm::dvec3(1, 0, 3));
+            EXPECT_EQ(there.surfaces[0].paint_range, glm::dvec2(0, 7));
+            EXPECT_EQ(there.surfaces[0].inside_color, glm::dvec3(1, 1, 0));
             EXPECT_EQ(there.occlusion.reach, 9);
         }
     }
-    EXPECT_EQ(at_time(loaded(ball(), {"surface.placement.scale=2"}), 0).surface.placement.scale, 2);
+    EXPECT_EQ(at_time(loaded(ball(), {"surface.placement.scale=2"}), 0).surfaces[0].placement.scale,
+              2);
     EXPECT_EQ(mistake(text(before), {"occlusion.radius=[1]"}).substr(0, 24),
               "--set: occlusion.radius:");
 }

@@ -43,12 +43,12 @@ TEST(FormulaScene, FindsTheTimeInAFormula) {
                                 "x^2 + y^2 + z^2 = t", "x^2 + y^2 + z^2 = 1 + 0.1(t)"}) {
         const Scene scene = load(formula);
         EXPECT_EQ(scene.timeline.frames, 120) << formula;
-        EXPECT_EQ(scene.surface.animation.at(scene.timeline.time(31)).tracks[0], 1)
+        EXPECT_EQ(scene.surfaces[0].animation.at(scene.timeline.time(31)).tracks[0], 1)
             << formula; // a second
     }
     EXPECT_EQ(load("x^2 + y^2 + z^2 = 1e3").timeline.frames, 1);
     const Scene both = load("x^2 + y^2 + z^2 = 1 + t^2 + time", {"time=0.25"});
-    std::vector<double> values = both.surface.animation.at(both.timeline.time(31)).tracks;
+    std::vector<double> values = both.surfaces[0].animation.at(both.timeline.time(31)).tracks;
     values.resize(2); // what comes after is the camera's
     EXPECT_EQ(both.timeline.frames, 120);
     EXPECT_THAT(values, testing::UnorderedElementsAre(0.25, 1));
@@ -62,9 +62,10 @@ TEST(SceneFileText, IsReadAgainAsTheSameScene) {
         const Scene before = load(name), after = load_text(text, "again.toml");
         EXPECT_EQ(after.title, before.title);
         EXPECT_EQ(after.timeline.frames, before.timeline.frames);
-        EXPECT_EQ(after.surface.field->text, before.surface.field->text);
+        EXPECT_EQ(after.surfaces[0].field->text, before.surfaces[0].field->text);
         for (const int frame : {1, 7}) {
-            const SurfaceAt a = at_frame(before, frame).surface, b = at_frame(after, frame).surface;
+            const SurfaceAt a = at_frame(before, frame).surfaces[0],
+                            b = at_frame(after, frame).surfaces[0];
             EXPECT_EQ(a.values->tracks, b.values->tracks) << name;
             EXPECT_EQ(a.bounds.radius, b.bounds.radius);
             EXPECT_EQ(a.bounds.centre, b.bounds.centre);

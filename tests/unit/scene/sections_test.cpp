@@ -38,7 +38,7 @@ TEST_F(SectionsOfScenes, MoveWithTheScenesCoordinates) {
     for (int k = 0; k < 100; ++k) {
         const glm::dvec3 p(number(random), number(random), number(random));
         for (std::size_t s = 0; s < 2; ++s) {
-            EXPECT_NEAR(world.sections[s].value(world.surface.placement.to_world(p)),
+            EXPECT_NEAR(world.sections[s].value(world.surfaces[0].placement.to_world(p)),
                         4 * local.sections[s].value(p), 1e-12);
         }
     }

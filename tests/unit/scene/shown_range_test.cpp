@@ -14,7 +14,7 @@ protected:
                                   "material.colormap.range=auto"};
         all.insert(all.end(), more.begin(), more.end());
         const Scene scene = loaded(text, all);
-        return at_time(scene, 0.3).surface.paint_range;
+        return at_time(scene, 0.3).surfaces[0].paint_range;
     }
     void expect(const std::string& value, double low, double high, double within,
                 const std::vector<Override>& more = {}) const {

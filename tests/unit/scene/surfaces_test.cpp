@@ -45,8 +45,8 @@ c = 1.5
 color = [1, 0, 0]
 )";
 
-double parameter(const Scene& scene, const char* name) {
-    const auto& animation = scene.surface.animation;
+double parameter(const Surface& surface, const char* name) {
+    const auto& animation = surface.animation;
     return animation.at(0).tracks[std::size_t(animation.find(name).value())];
 }
 
@@ -67,8 +67,8 @@ TEST(Surfaces, MistakesThatWereSetNameTheirSurface) {
 
 TEST(Surfaces, PlacesNameTheSurface) {
     const Scene scene = read(two);
-    EXPECT_EQ(place_of(scene, "surface.formula"), "scene.toml:3: surfaces.ball.formula");
-    EXPECT_EQ(place_of(scene.others[0], "material.color"),
+    EXPECT_EQ(place_of({scene, 0}, "surface.formula"), "scene.toml:3: surfaces.ball.formula");
+    EXPECT_EQ(place_of({scene, 1}, "material.color"),
               "scene.toml:12: surfaces.ring.material.color");
     const Scene one = read("[surface]\nformula = 'x'\nbounds = { sphere = 1 }\n");
     EXPECT_EQ(place_of(one, "surface.formula"), "scene.toml:2: surface.formula");
@@ -81,82 +81,74 @@ TEST(Surfaces, SettingsReplaceWhatExcludesThem) {
     boxed.replace(boxed.find("{ sphere = 2 }"), 14, "{ box = [[-2, -2, -2], [2, 2, 2]] }");
     for (const char* name : {"ball", "1"}) {
         const Scene scene = read(boxed, {fmt::format("surfaces.{}.bounds.sphere=3", name)});
-        EXPECT_EQ(at_frame(scene, 1).surface.bounds.radius, 3);
+        EXPECT_EQ(at_frame(scene, 1).surfaces[0].bounds.radius, 3);
     }
     const Scene back = read(two, {"surfaces.ball.bounds.box=[[-1, -1, -1], [1, 1, 1]]"});
-    EXPECT_EQ(back.surface.bounds.shape, Bounds::Shape::box);
+    EXPECT_EQ(back.surfaces[0].bounds.shape, Bounds::Shape::box);
     // A key by its former name.
     const Scene moved = read(two, {"surfaces.ring.placement.scale=3"});
-    EXPECT_EQ(at_frame(moved, 1).others[0].surface.placement.scale, 3);
-    EXPECT_THAT(
-        read(two, {"surfaces.ring.material.inside=[0, 0, 1]"}).others[0].surface.material.inside,
-        testing::Ne(std::nullopt));
+    EXPECT_EQ(at_frame(moved, 1).surfaces[1].placement.scale, 3);
+    EXPECT_THAT(read(two, {"surfaces.ring.material.inside=[0, 0, 1]"}).surfaces[1].material.inside,
+                testing::Ne(std::nullopt));
 }
 
 TEST(Surfaces, HaveTheirOwnAndWhatTheyShare) {
     const Scene scene = read(two);
     EXPECT_THAT(surface_names(scene), ElementsAre("ball", "ring"));
-    ASSERT_EQ(scene.others.size(), 1);
-    const Scene& ring = scene.others[0];
-    EXPECT_EQ(scene.among.count, 2);
-    EXPECT_EQ(ring.among.index, 1);
-    EXPECT_EQ(parameter(scene, "r"), 1);
+    ASSERT_EQ(scene.surfaces.size(), 2);
+    const Surface &ball = scene.surfaces[0], &ring = scene.surfaces[1];
+    EXPECT_EQ(parameter(ball, "r"), 1);
     EXPECT_EQ(parameter(ring, "a"), 0.2);
     EXPECT_EQ(parameter(ring, "c"), 1.5); // shared, before the catalogue's
-    EXPECT_EQ(scene.surface.isolation.method, Method::hermite);
-    EXPECT_EQ(ring.surface.isolation.method, Method::interval);
+    EXPECT_EQ(ball.isolation.method, Method::hermite);
+    EXPECT_EQ(ring.isolation.method, Method::interval);
     const SceneAt now = at_frame(scene, 1);
-    EXPECT_EQ(now.surface.color, glm::dvec3(1, 0, 0));
-    EXPECT_EQ(now.others[0].surface.color, glm::dvec3(0, 1, 0));
-    EXPECT_EQ(now.others[0].surface.placement.scale, 2);
+    EXPECT_EQ(now.surfaces[0].color, glm::dvec3(1, 0, 0));
+    EXPECT_EQ(now.surfaces[1].color, glm::dvec3(0, 1, 0));
+    EXPECT_EQ(now.surfaces[1].placement.scale, 2);
 }
 
 TEST(Surfaces, AreAllProvedOrNone) {
-    EXPECT_FALSE(read(two).surface.isolation.certify);
+    EXPECT_FALSE(read(two).surfaces[0].isolation.certify);
     const Scene scene = read(two, {"surfaces.ring.isolation.certify=true"});
-    EXPECT_TRUE(scene.surface.isolation.certify);
-    EXPECT_TRUE(scene.others[0].surface.isolation.certify);
+    EXPECT_TRUE(scene.surfaces[0].isolation.certify);
+    EXPECT_TRUE(scene.surfaces[1].isolation.certify);
 }
 
 TEST(Surfaces, TheCameraSeesAll) {
     const Scene scene = read(two);
     const SceneAt now = at_frame(scene, 1);
-    const SceneAt& ring = now.others[0];
-    EXPECT_EQ(now.camera, ring.camera);
     const double slope = std::sin(glm::radians(0.5 * now.camera.fov));
     const double way = glm::length(now.camera.target - now.camera.position);
-    for (const SceneAt* surface : {&now, &ring}) {
-        const glm::dvec3 middle =
-            surface->surface.placement.to_world(surface->surface.bounds.centre);
+    for (const SurfaceAt& surface : now.surfaces) {
+        const glm::dvec3 middle = surface.placement.to_world(surface.bounds.centre);
         const double reach = glm::length(middle - now.camera.target) +
-                             surface->surface.bounds.radius * surface->surface.placement.scale;
+                             surface.bounds.radius * surface.placement.scale;
         EXPECT_LE(reach, way * slope * (1 + 1e-9));
     }
 }
 
 TEST(Surfaces, OneInTheListIsASceneOfOne) {
     const Scene scene = read("[[surfaces]]\nformula = \"x^2 + y^2 + z^2 - 1\"\n");
-    EXPECT_TRUE(scene.others.empty());
-    EXPECT_EQ(scene.among.count, 1);
+    EXPECT_EQ(scene.surfaces.size(), 1);
     EXPECT_NO_THROW(expect_one_surface(scene, "a page"));
 }
 
 TEST(Surfaces, AreSetByNameAndNumber) {
-    EXPECT_EQ(parameter(read(two, {"size=4"}), "r"), 2);
-    EXPECT_EQ(parameter(read(two, {"a=0.25"}).others[0], "a"), 0.25);
-    EXPECT_EQ(parameter(read(two, {"r=3*size"}), "r"), 6);
-    EXPECT_EQ(parameter(read(two, {"surfaces.ring.parameters.a=0.3"}).others[0], "a"), 0.3);
-    EXPECT_EQ(parameter(read(two, {"surfaces.2.parameters.a=0.4"}).others[0], "a"), 0.4);
+    EXPECT_EQ(parameter(read(two, {"size=4"}).surfaces[0], "r"), 2);
+    EXPECT_EQ(parameter(read(two, {"a=0.25"}).surfaces[1], "a"), 0.25);
+    EXPECT_EQ(parameter(read(two, {"r=3*size"}).surfaces[0], "r"), 6);
+    EXPECT_EQ(parameter(read(two, {"surfaces.ring.parameters.a=0.3"}).surfaces[1], "a"), 0.3);
+    EXPECT_EQ(parameter(read(two, {"surfaces.2.parameters.a=0.4"}).surfaces[1], "a"), 0.4);
     const Scene moved = read(two, {"surfaces.ring.transform.scale=3"});
-    EXPECT_EQ(at_frame(moved, 1).others[0].surface.placement.scale, 3);
+    EXPECT_EQ(at_frame(moved, 1).surfaces[1].placement.scale, 3);
     EXPECT_THAT(message_of(two, {"surfaces.rung.jumps=true"}), HasSubstr("name or the number"));
 }
 
 TEST(Surfaces, OneAloneIsASceneOfItsOwn) {
     const Scene scene = read(two);
-    const Scene ring = alone(scene, surface_named(scene, "ring"));
-    EXPECT_TRUE(ring.others.empty());
-    EXPECT_EQ(ring.among.count, 1);
+    const Scene ring = alone({scene, surface_named(scene, "ring")});
+    EXPECT_EQ(surface_names(ring), std::vector<std::string>{"ring"});
     EXPECT_NO_THROW(at_frame(ring, 1));
     EXPECT_THROW(surface_named(scene, "rung"), SceneError);
     try {
@@ -165,6 +157,53 @@ TEST(Surfaces, OneAloneIsASceneOfItsOwn) {
     } catch (const SceneError& error) {
         EXPECT_THAT(error.what(), HasSubstr("2 surfaces (ball, ring), and a page knows one"));
     }
+}
+
+// Each surface's animation has the tracks of what all share, at other places.
+TEST(Surfaces, OneAloneIsSeenAsItWas) {
+    const std::string shared =
+        "[camera]\nposition = [3, '-9 + t', 2]\nup = [0, 1, 1]\nfov = 31\naperture = 0.1\n"
+        "[[lights]]\nposition = ['t', 2, 3]\nfalloff = 2\nradius = 0.5\ncolor = [1, 0.5, 0]\n"
+        "[[sections]]\nnormal = [1, 2, 3]\noffset = 't'\n[[sections]]\nsphere = 0.25\n"
+        "centre = [1, 0, 't']\n[ground]\nheight = -3\n[fog]\ndensity = 0.2\nstart = 1\n"
+        "[ambient]\ntop = [0.1, 0.2, 0.3]\n[occlusion]\nradius = 0.7\nstrength = 0.5\n";
+    // What sections have no use for is no track, and the first surface's first track may be one
+    // that the other lacks.
+    const Scene other =
+        read("[[surfaces]]\nformula = 'x^2 + y^2 + z^2 - a'\nparameters = { a = 1 }\n"
+             "bounds = { sphere = 2 }\n[[surfaces]]\nformula = 'x'\n"
+             "bounds = { box = [[-1, -1, -1], [1, 1, 1]] }\n" +
+             shared);
+    EXPECT_EQ(packed(at(alone({other, 1}), 0.25).sections), packed(at(other, 0.25).sections));
+    const Scene scene = read(two + shared);
+    const SceneAt all = at(scene, 0.25);
+    for (const std::size_t k : {0, 1}) {
+        SCOPED_TRACE(k);
+        const SceneAt one = at(alone({scene, k}), 0.25);
+        EXPECT_EQ(one.surfaces[0].placement.scale, all.surfaces[k].placement.scale);
+        EXPECT_EQ(one.camera, all.camera);
+        ASSERT_EQ(one.lights.size(), 1);
+        EXPECT_EQ(one.lights[0].direction, all.lights[0].direction);
+        EXPECT_EQ(one.lights[0].color, glm::dvec3(1, 0.5, 0));
+        EXPECT_EQ(one.lights[0].falloff, 2);
+        EXPECT_EQ(one.lights[0].radius, 0.5);
+        EXPECT_EQ(packed(one.sections), packed(all.sections));
+        EXPECT_EQ(one.ground.height, -3);
+        EXPECT_EQ(one.fog.density, 0.2);
+        EXPECT_EQ(one.fog.start, 1);
+        EXPECT_EQ(one.ambient.top, glm::dvec3(0.1, 0.2, 0.3));
+        EXPECT_EQ(one.occlusion.reach, 0.7);
+        EXPECT_EQ(one.occlusion.strength, 0.5);
+    }
+}
+
+// A scene of several is never taken for its first surface.
+TEST(Surfaces, AreNamedWhereOneOfSeveralIsMeant) {
+    const Scene scene = read(two);
+    EXPECT_THROW(OneSurface{scene}, std::logic_error);
+    EXPECT_THROW(OneSurfaceAt{at_frame(scene, 1)}, std::logic_error);
+    EXPECT_THROW((OneSurface{scene, 2}), std::out_of_range);
+    EXPECT_EQ(OneSurface(alone({scene, 1})).surface.label, "ring");
 }
 
 TEST(Surfaces, MistakesHaveTheirLine) {
@@ -188,15 +227,14 @@ TEST(Surfaces, MistakesHaveTheirLine) {
 TEST(Surfaces, AreWhereTheFirstOneHasThem) {
     const Scene scene = read(two + "[camera]\nposition = [3, -9, 2]\n");
     SceneAt now = at_frame(scene, 1);
-    now.surface.placement.translate = {7, 1, 2}; // of the first
-    now.surface.placement.scale = 0.5;
+    now.surfaces[0].placement.translate = {7, 1, 2}; // of the first
+    now.surfaces[0].placement.scale = 0.5;
     const SceneAt there = in_formula_coordinates(now);
     for (const glm::dvec3 place : {glm::dvec3(0), glm::dvec3(1, 2, 3)}) {
-        const glm::dvec3 world = now.others[0].surface.placement.to_world(place);
-        const glm::dvec3 moved = there.others[0].surface.placement.to_world(place);
-        EXPECT_LT(glm::length(now.surface.placement.to_local(world) - moved), 1e-12);
+        const glm::dvec3 world = now.surfaces[1].placement.to_world(place);
+        const glm::dvec3 moved = there.surfaces[1].placement.to_world(place);
+        EXPECT_LT(glm::length(now.surfaces[0].placement.to_local(world) - moved), 1e-12);
     }
-    EXPECT_EQ(there.others[0].camera, there.camera);
 }
 
 // The matter with the highest priority counts before all others, of equal ones the first in the
@@ -210,15 +248,11 @@ TEST(Surfaces, MattersAreInTheOrderOfTheirPriority) {
         text += "[[surfaces]]\nformula = \"x\"\nbounds = { sphere = 1 }\nmaterial = { " + material +
                 " }\n";
     const Scene scene = read(text);
-    for (int k = 0; k < 5; ++k) {
-        const Among among = of_surface(scene, k).among;
-        EXPECT_THAT(among.matters, ElementsAre(2, 0, 4, 3)) << k;
-        EXPECT_EQ(among.depth, 7) << k;
-        EXPECT_EQ(among.index, k);
-    }
-    EXPECT_TRUE(of_surface(read(two), 1).among.matters.empty());
-    // Alone there is no other to count before.
-    EXPECT_TRUE(alone(scene, 2).among.matters.empty());
+    EXPECT_THAT(matters(scene), ElementsAre(2, 0, 4, 3));
+    EXPECT_EQ(depth_of_matters(scene), 7);
+    EXPECT_TRUE(matters(read(two)).empty());
+    EXPECT_EQ(mirrors(read(two)), 0);
+    EXPECT_EQ(mirrors(read(two, {"surfaces.ring.material.reflection=self"})), 2);
 }
 
 // Absorption is per world unit, and in the first one's coordinates per unit of these.
@@ -229,9 +263,9 @@ TEST(Surfaces, AbsorptionOfAllIsPerUnitOfTheCoordinates) {
     const Scene scene = read(one + one);
     const SceneAt world = at(scene, 0);
     const SceneAt now = in_formula_coordinates(world);
-    EXPECT_EQ(world.others[0].surface.glass.absorption, glm::dvec3(0.5, 0, 1));
-    EXPECT_EQ(now.surface.glass.absorption, glm::dvec3(2, 0, 4));
-    EXPECT_EQ(now.others[0].surface.glass.absorption, glm::dvec3(2, 0, 4));
+    EXPECT_EQ(world.surfaces[1].glass.absorption, glm::dvec3(0.5, 0, 1));
+    EXPECT_EQ(now.surfaces[0].glass.absorption, glm::dvec3(2, 0, 4));
+    EXPECT_EQ(now.surfaces[1].glass.absorption, glm::dvec3(2, 0, 4));
 }
 
 } // namespace

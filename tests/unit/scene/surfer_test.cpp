@@ -40,17 +40,17 @@ std::string mistake_of(const std::string& text) { return mistake_of_text(text, "
 
 TEST(Surfer, FormulaParametersAndBounds) {
     const Scene scene = scene_of(surfer_ball);
-    EXPECT_EQ(scene.surface.field->text, "x^2+y^2+z^2-1*a");
+    EXPECT_EQ(scene.surfaces[0].field->text, "x^2+y^2+z^2-1*a");
     EXPECT_EQ(scene.title, "ball");
     const SceneAt now = at_frame(scene, 1);
-    EXPECT_EQ(now.surface.bindings.parameters.front(), 0.25);
-    EXPECT_NEAR(now.surface.bounds.radius, 2, 1e-5);
+    EXPECT_EQ(now.surfaces[0].bindings.parameters.front(), 0.25);
+    EXPECT_NEAR(now.surfaces[0].bounds.radius, 2, 1e-5);
 }
 
 // The matrix takes the viewer's axes to the surface's: its columns are what is right, up and back.
 TEST(Surfer, TheCameraAndTheLightsTurnInsteadOfTheSurface) {
     const Scene scene = scene_of(surfer_ball);
-    const auto values = scene.surface.animation.at(scene.timeline.time(1));
+    const auto values = scene.surfaces[0].animation.at(scene.timeline.time(1));
     const auto vector = [&](const Vec3Track& track) {
         return glm::dvec3(values.tracks[std::size_t(track[0])],
                           values.tracks[std::size_t(track[1])],
@@ -65,13 +65,13 @@ TEST(Surfer, TheCameraAndTheLightsTurnInsteadOfTheSurface) {
     EXPECT_TRUE(scene.lights[0].is_point);
     EXPECT_NEAR(glm::length(vector(scene.lights[0].direction) - glm::dvec3(200, 0, 0)), 0, 1e-3);
     // sRGB's half is a fifth of the light.
-    EXPECT_NEAR(vector(scene.surface.material.color).y, 0.214, 1e-3);
-    EXPECT_EQ(vector(*scene.surface.material.inside), glm::dvec3(0, 0, 1));
+    EXPECT_NEAR(vector(scene.surfaces[0].material.color).y, 0.214, 1e-3);
+    EXPECT_EQ(vector(*scene.surfaces[0].material.inside), glm::dvec3(0, 0, 1));
 }
 
 TEST(Surfer, APerspectiveCameraStandsWhereItsMatrixSays) {
     const Scene scene = scene_of(with("ORTHOGRAPHIC", "PERSPECTIVE") + "camera_fov_y=50\n");
-    const auto values = scene.surface.animation.at(scene.timeline.time(1));
+    const auto values = scene.surfaces[0].animation.at(scene.timeline.time(1));
     EXPECT_NEAR(values.tracks[std::size_t((*scene.camera.position)[0])], 2, 1e-4);
     EXPECT_EQ(values.tracks[std::size_t(scene.camera.fov)], 50);
 }

@@ -20,9 +20,10 @@ protected:
             loaded(fmt::format("[surface]\nformula = \"{}\"\nbounds = {}\n{}\n[isolation]\nnear = "
                                "1\nfar = 1\nhorizon = 1\n",
                                formula, bounds, more));
-        return field_thresholds(field_slope(*scene.surface.field, at_time(scene, 0)) /
-                                    scene.surface.field->scale,
-                                step);
+        return field_thresholds(
+            field_slope(*scene.surfaces[0].field, at_time(scene, 0).surfaces[0]) /
+                scene.surfaces[0].field->scale,
+            step);
     }
     static double slope(const Thresholds& thresholds) { return thresholds.horizon / 0.1; }
 };
@@ -116,21 +117,21 @@ TEST_F(FieldThresholds, OfAConstantFieldLeaveTheBaseStep) {
 
 TEST_F(FieldThresholds, FillInWhatASceneLeavesOut) {
     const std::string text = "[surface]\nformula = \"" + sphere + "\"\nbounds = { sphere = 1.2 }\n";
-    const Isolation all = loaded(text).surface.isolation;
+    const Isolation all = loaded(text).surfaces[0].isolation;
     EXPECT_DOUBLE_EQ(all.step, 0.012);
     EXPECT_DOUBLE_EQ(all.far, 4 * all.near);
 
-    const Isolation some = loaded(text + "[isolation]\nhorizon = 0.5\n").surface.isolation;
+    const Isolation some = loaded(text + "[isolation]\nhorizon = 0.5\n").surfaces[0].isolation;
     EXPECT_EQ(some.horizon, 0.5);
     EXPECT_EQ(some.near, all.near);
     EXPECT_EQ(some.far, all.far);
 
     // `far` is never nearer than `near`.
-    const Isolation wide = loaded(text + "[isolation]\nnear = 3\n").surface.isolation;
+    const Isolation wide = loaded(text + "[isolation]\nnear = 3\n").surfaces[0].isolation;
     EXPECT_EQ(wide.near, 3);
     EXPECT_EQ(wide.far, 3);
 
-    const Isolation coarse = loaded(text + "[isolation]\nstep = 0.12\n").surface.isolation;
+    const Isolation coarse = loaded(text + "[isolation]\nstep = 0.12\n").surfaces[0].isolation;
     EXPECT_NEAR(coarse.near, 10 * all.near, 1e-9);
 }
 
@@ -140,7 +141,8 @@ protected:
                                                 const std::string& formula) const {
         return loaded("[surface]\nformula = \"" + factor + "*(" + formula +
                       ")\"\nbounds = { sphere = 1.2 }\n")
-            .surface.field;
+            .surfaces[0]
+            .field;
     }
 };
 
@@ -175,7 +177,8 @@ TEST_F(FieldScale, LeavesSteepPowersAlone) {
                                               "abs(y)^18.9)^9.7 + abs(z)^1.8 - 1\"\nbounds = {{ "
                                               "sphere = {} }}\n",
                                               radius))
-                               .surface.field;
+                               .surfaces[0]
+                               .field;
         EXPECT_EQ(steep->scale, 1) << radius;
     }
     const auto small = field("1", "exp(60*x) + exp(60*y) + exp(60*z) - 0.01");

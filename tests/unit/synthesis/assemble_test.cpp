@@ -144,8 +144,8 @@ scene::Scene with_glass(const std::string& value) { return scene_of(glass_among_
 std::vector<Passes> passes_of_surfaces(const scene::Scene& scene) {
     const std::vector<Channel> channels{Channel::surface, Channel::ending};
     std::vector<Passes> all;
-    for (int k = 0; k < scene.among.count; ++k)
-        all.push_back(assemble(scene::of_surface(scene, k), channels));
+    for (std::size_t k = 0; k < scene.surfaces.size(); ++k)
+        all.push_back(assemble(scene::OneSurface(scene, k), channels));
     return all;
 }
 
@@ -157,7 +157,7 @@ TEST_F(Assemble, NoValueIsInTheTextOfAnyPass) {
         for (const Stage stage : {Stage::fragment, Stage::compute}) {
             scene::Scene one = called(one_set_of_values, more, "0.25");
             scene::Scene other = called(another_set_of_values, more, "0.5");
-            one.surface.isolation.certify = other.surface.isolation.certify = true;
+            one.surfaces[0].isolation.certify = other.surfaces[0].isolation.certify = true;
             expect_same_text(assemble(one, channels, {stage}), assemble(other, channels, {stage}));
             expect_same_text(assemble(one, {}, {stage}), assemble(other, {}, {stage}));
             for (const Pass& pass : assemble(one, channels, {stage}).list) roles.insert(pass.role);
@@ -192,14 +192,15 @@ TEST_F(Assemble, NoPassHasMoreThanEightOutputs) {
     std::vector<Channel> channels = every_channel;
     channels.push_back(Channel::ending);
     const scene::Scene plain = two_plain_surfaces("0.25");
-    for (const scene::Scene& scene :
-         {plain, scene::of_surface(plain, 1), scene_of(surface_text("x"))}) {
+    const scene::Scene single = scene_of(surface_text("x"));
+    const scene::OneSurface first(plain, 0), second(plain, 1);
+    for (const scene::OneSurface& one : {first, second, scene::OneSurface(single)}) {
         for (const std::vector<Channel>& wanted : {channels, {Channel::ending}}) {
-            for (const Pass& pass : assemble(scene, wanted).list)
+            for (const Pass& pass : assemble(one, wanted).list)
                 EXPECT_LE(pass.outputs.size(), 8u) << pass.name;
         }
     }
-    EXPECT_TRUE(assemble(plain, {Channel::ending}).has(Role::fused));
+    EXPECT_TRUE(assemble(first, {Channel::ending}).has(Role::fused));
 }
 
 TEST_F(Assemble, TheSameSceneGivesTheSameText) {
@@ -321,7 +322,7 @@ TEST_F(Assemble, ProofsAddAChannelToThePictureAndChangeNoOtherShader) {
 // Whose sums go over all elements, however many.
 scene::Scene of_all_elements(int count) {
     scene::Scene scene = scene_of(blobs_text(count));
-    scene.surface.isolation.beam = false;
+    scene.surfaces[0].isolation.beam = false;
     return scene;
 }
 

@@ -60,7 +60,7 @@ void time_scene(const scene::Scene& scene, const std::string& name) {
     Passes passes;
     const double assembling = milliseconds([&] { passes = assemble(scene); });
     std::printf("%-22s assembled in %.1f ms, %zu instructions along a ray\n", name.c_str(),
-                assembling, scene.surface.field->directional.instructions.size());
+                assembling, scene.surfaces[0].field->directional.instructions.size());
     time_shader(passes.at(Role::march), name + ": march");
     time_shader(passes.at(Role::shade), name + ": shade");
 }

@@ -516,8 +516,8 @@ TEST_P(IntervalOnGpu, BoundsOfTheCatalogueHoldAndAreNarrow) {
         const std::string name = entry.path().stem().string();
         const scene::Scene scene = scene_of(fmt::format("[surface]\nuse = '{}'\n", name));
         const auto now = scene::at_frame(scene, 1);
-        Subject subject(name, *scene.surface.field, now.surface.bindings);
-        const auto reach = float(now.surface.bounds.radius);
+        Subject subject(name, *scene.surfaces[0].field, now.surfaces[0].bindings);
+        const auto reach = float(now.surfaces[0].bounds.radius);
         std::vector<GpuBox> boxes(256);
         for (GpuBox& box : boxes) {
             const float size = reach * std::pow(10.0f, random.in(-4, 0));

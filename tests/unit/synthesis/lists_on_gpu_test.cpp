@@ -15,9 +15,9 @@ namespace {
 // The bounds of F and of its slope along x at a place, none of the elements in the list.
 std::array<glm::dvec2, 2> without_elements(const scene::Scene& scene, glm::vec3 p) {
     use_shaders_of_source_tree();
-    const formula::Field& field = *scene.surface.field;
-    const FieldStorage storage = field_storage(field, scene.surface.parameters,
-                                               scene.surface.animation.counts(), {true, {}});
+    const formula::Field& field = *scene.surfaces[0].field;
+    const FieldStorage storage = field_storage(field, scene.surfaces[0].parameters,
+                                               scene.surfaces[0].animation.counts(), {true, {}});
     ShaderText text;
     add_enclosures(text, field, storage,
                    {FieldFunction::value_interval, FieldFunction::directional_interval});

@@ -12,8 +12,8 @@ namespace {
 std::vector<Passes> passes_of(const std::string& text) {
     const scene::Scene scene = scene_of(text);
     std::vector<Passes> all;
-    for (int k = 0; k < scene.among.count; ++k)
-        all.push_back(assemble(scene::of_surface(scene, k)));
+    for (std::size_t k = 0; k < scene.surfaces.size(); ++k)
+        all.push_back(assemble(scene::OneSurface(scene, k)));
     return all;
 }
 

@@ -186,7 +186,7 @@ inline scene::Scene two_plain_surfaces(const std::string& value) {
 
 inline scene::Scene proved_surfaces(const std::string& value) {
     scene::Scene scene = two_plain_surfaces(value);
-    scene.surface.isolation.certify = scene.others[0].surface.isolation.certify = true;
+    scene.surfaces[0].isolation.certify = scene.surfaces[1].isolation.certify = true;
     return scene;
 }
 

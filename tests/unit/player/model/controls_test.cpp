@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "scene/data_folder.h"
+#include "scene/surfaces.h"
 #include "unit/scene/testing.h"
 
 namespace isomotion::player {
@@ -38,14 +39,15 @@ protected:
     static void expect_same(const scene::Scene& a, const scene::Scene& b) {
         ASSERT_EQ(a.timeline.frames, b.timeline.frames);
         for (int frame = 1; frame <= a.timeline.frames; ++frame) {
-            ASSERT_EQ(a.surface.animation.at(a.timeline.time(frame)),
-                      b.surface.animation.at(b.timeline.time(frame)))
+            ASSERT_EQ(a.surfaces[0].animation.at(a.timeline.time(frame)),
+                      b.surfaces[0].animation.at(b.timeline.time(frame)))
                 << frame;
         }
     }
     static double value(const scene::Scene& scene, const std::string& track, int frame) {
-        const auto& animation = scene.surface.animation;
-        return scene.surface.animation.at(scene.timeline.time(frame))
+        const auto& animation = scene.surfaces[0].animation;
+        return scene.surfaces[0]
+            .animation.at(scene.timeline.time(frame))
             .tracks[std::size_t(animation.find(track).value())];
     }
     scene::Scene table(const std::string& interpolation) const {
@@ -76,8 +78,8 @@ TEST_F(Controls, SoIsAFieldThatAllElementsShare) {
     // The elements' places are made of w.
     const scene::Scene fixed = apply(scene, {{{"blobs.w", 2.5}}, {}});
     expect_same(fixed, loaded(moving, {"arrays.blobs.w=2.5"}));
-    EXPECT_NE(fixed.surface.animation.at(fixed.timeline.time(9)).arrays[0].fields[0],
-              scene.surface.animation.at(scene.timeline.time(9)).arrays[0].fields[0]);
+    EXPECT_NE(fixed.surfaces[0].animation.at(fixed.timeline.time(9)).arrays[0].fields[0],
+              scene.surfaces[0].animation.at(scene.timeline.time(9)).arrays[0].fields[0]);
 }
 
 TEST_F(Controls, WhatIsGivenBackMovesAgain) {
@@ -109,13 +111,13 @@ TEST_F(Controls, NumbersThatAreNoneAreRefused) {
 // Fields in the order of the file's keys, which is that of the alphabet.
 TEST_F(Controls, FactorsMultiplyEveryElement) {
     const scene::Scene scene = loaded(moving);
-    const auto& array = scene.surface.animation.arrays().at(0);
+    const auto& array = scene.surfaces[0].animation.arrays().at(0);
     for (const std::string name : {"cx", "cy"}) {
         for (const double factor : {0.0, 0.3, 1.0, 2.0, -1.5, 1e-9}) {
             const scene::Scene scaled = apply(scene, {{}, {{"blobs." + name, factor}}});
             for (const int frame : {1, 20, 49}) {
-                const Values before = scene.surface.animation.at(scene.timeline.time(frame)),
-                             after = scaled.surface.animation.at(scaled.timeline.time(frame));
+                const Values before = scene.surfaces[0].animation.at(scene.timeline.time(frame)),
+                             after = scaled.surfaces[0].animation.at(scaled.timeline.time(frame));
                 EXPECT_EQ(before.tracks, after.tracks);
                 for (std::size_t f = 0; f < array.fields.size(); ++f) {
                     auto expected = before.arrays[0].fields[f];
@@ -136,10 +138,10 @@ TEST_F(Controls, FactorsOfFilesColumnsReachWhatIsMadeOfThem) {
     for (const std::string interpolation : {"linear", "hold"}) {
         const scene::Scene scene = table(interpolation);
         const auto column = [&](const scene::Scene& of, const std::string& name, int frame) {
-            const auto& fields = of.surface.animation.arrays().at(0).fields;
+            const auto& fields = of.surfaces[0].animation.arrays().at(0).fields;
             for (std::size_t f = 0; f < fields.size(); ++f) {
                 if (fields[f].name == name)
-                    return of.surface.animation.at(of.timeline.time(frame)).arrays[0].fields[f];
+                    return of.surfaces[0].animation.at(of.timeline.time(frame)).arrays[0].fields[f];
             }
             return std::vector<double>{};
         };
@@ -161,9 +163,9 @@ TEST_F(Controls, FactorsOfFilesColumnsReachWhatIsMadeOfThem) {
 TEST_F(Controls, TheFormulaStays) {
     const scene::Scene scene = loaded(moving);
     const scene::Scene fixed = apply(scene, {{{"m", 1}}, {{"blobs.cx", 2}}});
-    EXPECT_EQ(fixed.surface.field, scene.surface.field);
-    const auto m = std::size_t(scene.surface.animation.find("m").value());
-    EXPECT_EQ(at_time(fixed, 0.5).surface.bindings.parameters.at(m), 1);
+    EXPECT_EQ(fixed.surfaces[0].field, scene.surfaces[0].field);
+    const auto m = std::size_t(scene.surfaces[0].animation.find("m").value());
+    EXPECT_EQ(at_time(fixed, 0.5).surfaces[0].bindings.parameters.at(m), 1);
 }
 
 TEST_F(Controls, SpansHoldWhatTheTimelineTakes) {
@@ -215,8 +217,8 @@ TEST_F(Controls, SlidersTellWhatIsHeld) {
     const scene::Scene scene = loaded(moving);
     const Overrides overrides{{{"m", 9}}, {}};
     const scene::Scene held = apply(scene, overrides);
-    const auto found =
-        sliders(slider_ranges(scene), held.surface.animation.at(held.timeline.time(20)), overrides);
+    const auto found = sliders(slider_ranges(scene),
+                               held.surfaces[0].animation.at(held.timeline.time(20)), overrides);
     std::vector<std::string> names;
     for (const Slider& slider : found) {
         names.push_back(slider.name);
@@ -231,7 +233,8 @@ TEST_F(Controls, ArraysTellTheirCountAndHaveFactors) {
     const scene::Scene scene = loaded(moving);
     const Overrides overrides{{}, {{"blobs.cy", 2.5}}};
     const auto found =
-        array_controls(scene, scene.surface.animation.at(scene.timeline.time(1)), overrides);
+        array_controls(scene.surfaces[0].animation,
+                       scene.surfaces[0].animation.at(scene.timeline.time(1)), overrides);
     ASSERT_EQ(found.size(), 1u);
     EXPECT_EQ(found[0].name, "blobs");
     EXPECT_EQ(found[0].count, 5);
@@ -242,7 +245,7 @@ TEST_F(Controls, ArraysTellTheirCountAndHaveFactors) {
         EXPECT_EQ(slider.overridden, is_held);
         EXPECT_EQ(slider.value, is_held ? 2.5 : 1);
     }
-    EXPECT_EQ(array_controls(loaded(scene::ball()), {}, {}).size(), 0u);
+    EXPECT_EQ(array_controls(loaded(scene::ball()).surfaces[0].animation, {}, {}).size(), 0u);
 }
 
 // Each has sliders of its own, also where both have a parameter of that name.
@@ -257,7 +260,7 @@ TEST_F(Controls, OfSeveralSurfacesAreEachOnesOwn) {
     EXPECT_EQ(of_surface(all, "ring").values.at("r"), 3);
     const scene::Scene moved = apply(scene, all);
     EXPECT_EQ(value(moved, "r", 1), 1);
-    EXPECT_EQ(value(moved.others[0], "r", 1), 3);
+    EXPECT_EQ(value(scene::alone({moved, 1}), "r", 1), 3);
     put_surface(all, "ring", {});
     EXPECT_TRUE(all.empty());
 }
@@ -268,24 +271,26 @@ TEST_F(Controls, FitEveryAnimationOfTheGallery) {
     for (const std::string& name : scene::animation_names()) {
         SCOPED_TRACE(name);
         const scene::Scene scene = scene::load(name);
-        const auto found = slider_ranges(scene);
-        for (const int frame : {1, (1 + scene.timeline.frames) / 2, scene.timeline.frames}) {
-            for (const Slider& slider :
-                 sliders(found, scene.surface.animation.at(scene.timeline.time(frame)), {})) {
-                EXPECT_LT(slider.least, slider.most) << slider.name;
-                EXPECT_LE(slider.least, slider.value + 0.1 * (slider.most - slider.least));
-                EXPECT_GE(slider.most, slider.value - 0.1 * (slider.most - slider.least));
-                ++checked;
+        for (std::size_t k = 0; k < scene.surfaces.size(); ++k) {
+            const auto found = slider_ranges({scene, k});
+            const animation::Animation& animation = scene.surfaces[k].animation;
+            for (const int frame : {1, (1 + scene.timeline.frames) / 2, scene.timeline.frames}) {
+                const Values values = animation.at(scene.timeline.time(frame));
+                for (const Slider& slider : sliders(found, values, {})) {
+                    EXPECT_LT(slider.least, slider.most) << slider.name;
+                    EXPECT_LE(slider.least, slider.value + 0.1 * (slider.most - slider.least));
+                    EXPECT_GE(slider.most, slider.value - 0.1 * (slider.most - slider.least));
+                    ++checked;
+                }
             }
+            // Held where it is, nothing that is seen changes.
+            const double time = scene.timeline.time(scene.output.poster);
+            const Values values = animation.at(time);
+            Overrides all;
+            for (const Slider& slider : sliders(found, values, {}))
+                all.values[slider.name] = slider.value;
+            EXPECT_EQ(apply(animation, all).at(time), values);
         }
-        // Held where it is, nothing that is seen changes.
-        const int poster = scene.output.poster;
-        const Values values = scene.surface.animation.at(scene.timeline.time(poster));
-        Overrides all;
-        for (const Slider& slider : sliders(found, values, {})) {
-            all.values[slider.name] = slider.value;
-        }
-        EXPECT_EQ(apply(scene, all).surface.animation.at(scene.timeline.time(poster)), values);
     }
     EXPECT_GT(checked, 100);
 }

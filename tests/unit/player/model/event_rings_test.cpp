@@ -59,6 +59,7 @@ TEST(EventRings, AreWhereTheRaysOfThePictureGo) {
     constexpr int width = 96, height = 64;
     for (int trial = 0; trial < 500; ++trial) {
         scene::SceneAt now;
+        now.surfaces.resize(1);
         const double size = std::exp(random.in(-8, 8));
         const auto vector = [&](double reach) {
             const auto p = random.point(reach);
@@ -72,8 +73,8 @@ TEST(EventRings, AreWhereTheRaysOfThePictureGo) {
         now.camera.height = size * random.in(0.5, 2);
         now.camera.projection =
             random.below(2) == 0 ? Projection::perspective : Projection::orthographic;
-        now.surface.bounds.centre = now.camera.target;
-        now.surface.bounds.radius = 0.01 * size;
+        now.surfaces[0].bounds.centre = now.camera.target;
+        now.surfaces[0].bounds.radius = 0.01 * size;
         const scene::Rays rays = scene::rays(now, width, height);
         const double u = random.in(-1, 1), v = random.in(-1, 1), along = random.in(0.1, 9);
         const glm::dvec3 across = u * rays.right + v * rays.up;
@@ -93,6 +94,7 @@ PlacedEvent at_frame(double frame, glm::dvec3 where, int surface = 0) {
 
 TEST(EventRings, AreInThePictureAroundTheirFrames) {
     scene::SceneAt now;
+    now.surfaces.resize(1);
     now.camera = right_angle();
     const std::vector<PlacedEvent> events{at_frame(10, {1, 0, 0}), at_frame(11.5, {0, 1, 0}),
                                           at_frame(12, {99, 0, 0}), at_frame(12, {0, 0, 7})};
@@ -113,6 +115,7 @@ TEST(EventRings, AreInThePictureAroundTheirFrames) {
 
 TEST(EventRings, OfWhatLastsAreThereAllTheWhile) {
     scene::SceneAt now;
+    now.surfaces.resize(1);
     now.camera = right_angle();
     PlacedEvent place = at_frame(20, {});
     place.last = 60;
@@ -123,6 +126,7 @@ TEST(EventRings, OfWhatLastsAreThereAllTheWhile) {
 
 TEST(EventRings, AWidePictureShowsMoreBesides) {
     scene::SceneAt now;
+    now.surfaces.resize(1);
     now.camera = right_angle();
     const std::vector<PlacedEvent> events{at_frame(1, {4, 0, 0})};
     EXPECT_TRUE(rings(events, now, 1, 1).empty());
@@ -133,9 +137,9 @@ TEST(EventRings, AWidePictureShowsMoreBesides) {
 TEST(EventRings, AreInTheWorldWhereTheirSurfaceIs) {
     scene::SceneAt now;
     now.camera = right_angle();
-    now.surface.placement.translate = {0.5, 0, 0};
-    now.others.emplace_back();
-    scene::PlacementAt& second = now.others[0].surface.placement;
+    now.surfaces.resize(2);
+    now.surfaces[0].placement.translate = {0.5, 0, 0};
+    scene::PlacementAt& second = now.surfaces[1].placement;
     second.translate = {-1, 1, 0};
     second.scale = 2;
     second.rotate = glm::dmat3(0, 1, 0, -1, 0, 0, 0, 0, 1); // by a right angle: x becomes y
@@ -149,6 +153,7 @@ TEST(EventRings, AreInTheWorldWhereTheirSurfaceIs) {
 
 TEST(EventRings, AreNoMoreThanAPictureHolds) {
     scene::SceneAt now;
+    now.surfaces.resize(1);
     now.camera = right_angle();
     std::vector<PlacedEvent> events(500, at_frame(3, {}));
     events.push_back(at_frame(2, {}));

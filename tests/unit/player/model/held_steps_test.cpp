@@ -30,24 +30,24 @@ const std::string ranges = "k = { default = 2, min = 1, max = 40 }\n";
 TEST(HeldSteps, FollowASlider) {
     const std::string text = "[surface]\n" + waves + "[parameters]\n" + ranges;
     Session session(loaded(text));
-    const formula::CubicSteps own = session.at(1).surface.cubic_steps;
+    const formula::CubicSteps own = session.at(1).surfaces[0].cubic_steps;
     EXPECT_EQ(own.longest, 1);
 
     Look look = session.look();
     look.overrides.values["k"] = 40;
     session.set(look);
-    const formula::CubicSteps held = session.at(1).surface.cubic_steps;
+    const formula::CubicSteps held = session.at(1).surfaces[0].cubic_steps;
     EXPECT_LT(held.first, 0.5 * own.first);
-    EXPECT_EQ(held, loaded(text, {"k=40"}).surface.cubic_steps);
+    EXPECT_EQ(held, loaded(text, {"k=40"}).surfaces[0].cubic_steps);
     look.camera = session.at(1).camera; // a camera changes none
     session.set(look);
-    EXPECT_EQ(session.at(1).surface.cubic_steps, held);
+    EXPECT_EQ(session.at(1).surfaces[0].cubic_steps, held);
     session.reload(loaded(text), 0); // nor does reading the file again
-    EXPECT_EQ(session.at(1).surface.cubic_steps, held);
+    EXPECT_EQ(session.at(1).surfaces[0].cubic_steps, held);
 
     look.overrides.values.clear();
     session.set(look);
-    EXPECT_EQ(session.at(1).surface.cubic_steps, own);
+    EXPECT_EQ(session.at(1).surfaces[0].cubic_steps, own);
 }
 
 TEST(HeldSteps, BelongToTheSurfaceOfTheSlider) {
@@ -61,8 +61,8 @@ TEST(HeldSteps, BelongToTheSurfaceOfTheSlider) {
     look.overrides.values["a/k"] = 40;
     session.set(look);
     const scene::SceneAt held = session.at(1);
-    EXPECT_LT(held.surface.cubic_steps.first, 0.5 * own.surface.cubic_steps.first);
-    EXPECT_EQ(held.others[0].surface.cubic_steps, own.others[0].surface.cubic_steps);
+    EXPECT_LT(held.surfaces[0].cubic_steps.first, 0.5 * own.surfaces[0].cubic_steps.first);
+    EXPECT_EQ(held.surfaces[1].cubic_steps, own.surfaces[1].cubic_steps);
 }
 
 // A page takes these while a slider holds a parameter.
@@ -70,11 +70,11 @@ TEST(HeldSteps, AtSliderEndsAreTheShortest) {
     const std::string text = "[surface]\n" + waves + "[parameters]\n" + ranges;
     const formula::CubicSteps ends = steps_at_slider_ends(loaded(text));
     for (const char* value : {"k=1", "k=2", "k=40"}) {
-        const formula::CubicSteps steps = loaded(text, {value}).surface.cubic_steps;
+        const formula::CubicSteps steps = loaded(text, {value}).surfaces[0].cubic_steps;
         EXPECT_LE(ends.first, steps.first);
         EXPECT_LE(ends.longest, steps.longest);
     }
-    EXPECT_EQ(ends.first, loaded(text, {"k=40"}).surface.cubic_steps.first);
+    EXPECT_EQ(ends.first, loaded(text, {"k=40"}).surfaces[0].cubic_steps.first);
 }
 
 } // namespace

@@ -43,9 +43,10 @@ double elevation(const CameraAt& c) {
 
 scene::Rays rays_of(const CameraAt& camera) {
     scene::SceneAt now;
+    now.surfaces.resize(1);
     now.camera = camera;
-    now.surface.bounds.centre = camera.target; // the plane of anchors goes through the target
-    now.surface.bounds.radius = 0.01 * distance(camera);
+    now.surfaces[0].bounds.centre = camera.target; // the plane of anchors goes through the target
+    now.surfaces[0].bounds.radius = 0.01 * distance(camera);
     return scene::rays(now, width, height);
 }
 

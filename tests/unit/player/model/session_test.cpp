@@ -14,16 +14,16 @@ namespace {
 void expect_same(const scene::SceneAt& a, const scene::SceneAt& b) {
     EXPECT_EQ(a.time, b.time);
     EXPECT_EQ(a.camera, b.camera);
-    EXPECT_EQ(a.surface.bindings.parameters, b.surface.bindings.parameters);
-    EXPECT_EQ(a.surface.bounds.radius, b.surface.bounds.radius);
-    EXPECT_EQ(a.surface.cubic_steps, b.surface.cubic_steps);
+    EXPECT_EQ(a.surfaces[0].bindings.parameters, b.surfaces[0].bindings.parameters);
+    EXPECT_EQ(a.surfaces[0].bounds.radius, b.surfaces[0].bounds.radius);
+    EXPECT_EQ(a.surfaces[0].cubic_steps, b.surfaces[0].cubic_steps);
     ASSERT_EQ(a.lights.size(), b.lights.size());
     for (std::size_t k = 0; k < a.lights.size(); ++k) {
         EXPECT_EQ(a.lights[k].direction, b.lights[k].direction);
     }
-    ASSERT_EQ(a.surface.bindings.arrays.size(), b.surface.bindings.arrays.size());
-    for (std::size_t k = 0; k < a.surface.bindings.arrays.size(); ++k) {
-        EXPECT_EQ(a.surface.bindings.arrays[k].fields, b.surface.bindings.arrays[k].fields);
+    ASSERT_EQ(a.surfaces[0].bindings.arrays.size(), b.surfaces[0].bindings.arrays.size());
+    for (std::size_t k = 0; k < a.surfaces[0].bindings.arrays.size(); ++k) {
+        EXPECT_EQ(a.surfaces[0].bindings.arrays[k].fields, b.surfaces[0].bindings.arrays[k].fields);
     }
 }
 
@@ -46,7 +46,7 @@ TEST(Session, ShowsWhatRenderIsTold) {
 
         Look look = session.look();
         look.camera = orbited(session.at(3).camera, {0.31, -0.17});
-        for (const SliderRange& span : session.slider_ranges()) {
+        for (const SliderRange& span : session.slider_ranges(0)) {
             look.overrides.values[span.name] = 0.4 * span.least + 0.6 * span.most;
         }
         session.set(look);
@@ -66,7 +66,8 @@ TEST(Session, ElementsAreMultipliedInRenderToo) {
     const scene::Output& output = session.scene().output;
     const glm::ivec2 size(output.width, output.height);
     const scene::SceneAt held = session.at(9);
-    EXPECT_NE(held.surface.bindings.arrays[0].fields, before.surface.bindings.arrays[0].fields);
+    EXPECT_NE(held.surfaces[0].bindings.arrays[0].fields,
+              before.surfaces[0].bindings.arrays[0].fields);
     expect_same(held, as_rendered(session, 9, size));
 }
 
@@ -97,7 +98,7 @@ TEST(Session, AReloadKeepsWhatIsHeld) {
     EXPECT_EQ(session.look(), look);
     EXPECT_GT(session.revision(), revision);
     EXPECT_EQ(frame_at(session.playback, 9).frame, 77);
-    EXPECT_EQ(session.at(77).surface.color, glm::dvec3(1, 0, 0));
+    EXPECT_EQ(session.at(77).surfaces[0].color, glm::dvec3(1, 0, 0));
 }
 
 TEST(Session, SettingsOfAMethodFollowTheFileUntilTheyAreTouched) {

@@ -113,9 +113,9 @@ formula = "x^2 + y^2 + z^2 - 0.1"
 bounds = { sphere = 1 }
 )");
     EXPECT_TRUE(read_topology_markers_of_each(scene).markers.empty());
-    const auto write = [&](int surface, const std::string& name) {
+    const auto write = [&](std::size_t surface, const std::string& name) {
         std::ofstream(timeline_path(scene, name))
-            << topology::to_json(of(scene::alone(scene, surface), topology::story()));
+            << topology::to_json(of(scene::alone({scene, surface}), topology::story()));
     };
     write(1, "pea");
     TopologyMarkers found = read_topology_markers_of_each(scene);
