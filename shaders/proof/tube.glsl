@@ -1,5 +1,5 @@
 // Boxes around the points of all rays that float32 may make of the pixel's ray: the one here and
-// the one that was marched (src/truth/tube.h).
+// the one that was marched (src/roots/tube.h).
 
 uniform float shortest_piece;
 

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "truth/nearest.h"
-#include "truth/tube.h"
+#include "roots/nearest.h"
+#include "roots/tube.h"
 
 namespace isomotion::accuracy {
 namespace {
@@ -22,13 +22,13 @@ bool is_hit(render::Verdict verdict) {
 // Whether what was proved of a pixel contradicts what is certain of its ray. A proof tells more
 // than judge() asks: its root is within an eighth of the pixel's width of where it was drawn, and
 // twice that is left to the rounding of positions.
-bool contradicts(render::Proof proof, bool hit, Fault fault, const truth::FirstRoot& root, double t,
+bool contradicts(render::Proof proof, bool hit, Fault fault, const roots::FirstRoot& root, double t,
                  double footprint) {
     if (!render::is_proved(proof)) return false;
     if ((proof == render::Proof::hit) != hit) return true; // of another ending than is drawn
     if (fault == Fault::undecided) return false;
     if (fault != Fault::none) return true;
-    return proof == render::Proof::hit && root.answer == truth::Answer::hit &&
+    return proof == render::Proof::hit && root.answer == roots::Answer::hit &&
            (t < double(root.low) - 0.25 * footprint || t > double(root.high) + 0.25 * footprint);
 }
 
@@ -61,29 +61,29 @@ namespace {
 
 // Whether another surface was drawn than the one that certainly is the first.
 bool is_of_another_surface(const image::Channel* surfaces, std::size_t pixel,
-                           const truth::FirstRoot& root) {
-    return surfaces && root.answer == truth::Answer::hit && root.surface >= 0 &&
+                           const roots::FirstRoot& root) {
+    return surfaces && root.answer == roots::Answer::hit && root.surface >= 0 &&
            int(surfaces->samples[pixel]) != root.surface + 1;
 }
 
 } // namespace
 
-Errors compare(const scene::SceneAt& now, const image::Frame& drawn, const truth::Truth& truth) {
-    const truth::RaysOfSurfaces rays(now, truth.width, truth.height);
-    const truth::Tubes& tubes = rays.of(0);
+Errors compare(const scene::SceneAt& now, const image::Frame& drawn, const roots::Truth& truth) {
+    const roots::RaysOfSurfaces rays(now, truth.width, truth.height);
+    const roots::Tubes& tubes = rays.of(0);
     const image::Channel* surfaces = drawn.find("surface");
     const image::Channel* proofs = drawn.find("proof");
     Errors errors;
     errors.pixels = std::int64_t(truth.width) * truth.height;
     errors.faults.resize(truth.roots.size());
     for (std::size_t pixel = 0; pixel < truth.roots.size(); ++pixel) {
-        const truth::FirstRoot& root = truth.roots[pixel];
+        const roots::FirstRoot& root = truth.roots[pixel];
         const int column = int(pixel % std::size_t(truth.width));
         const int row = int(pixel / std::size_t(truth.width));
-        const truth::Tube tube = tubes.at(column, row);
+        const roots::Tube tube = tubes.at(column, row);
         bool meets_bounds = tube.near <= tube.far;
         for (std::size_t k = 1; k < rays.surfaces() && !meets_bounds; ++k) {
-            const truth::Tube other = rays.of(k).at(column, row);
+            const roots::Tube other = rays.of(k).at(column, row);
             meets_bounds = other.near <= other.far;
         }
         errors.rays += meets_bounds;
@@ -109,7 +109,7 @@ Errors compare(const scene::SceneAt& now, const image::Frame& drawn, const truth
             ++errors.proofs[std::size_t(proof)];
             errors.contradicted += contradicts(proof, hit, fault, root, t, tube.footprint);
         }
-        if (!hit || fault != Fault::none || root.answer != truth::Answer::hit) continue;
+        if (!hit || fault != Fault::none || root.answer != roots::Answer::hit) continue;
 
         const double certain = 0.5 * (double(root.low) + double(root.high));
         errors.depth.push_back(float(std::abs(t - certain) / tube.footprint));

@@ -8,13 +8,13 @@
 #include <vector>
 
 #include "render/renderer.h"
+#include "roots/certify.h"
+#include "roots/judge.h"
 #include "scene/scene.h"
-#include "truth/certify.h"
-#include "truth/judge.h"
 
 namespace isomotion::accuracy {
 
-using truth::Fault;
+using roots::Fault;
 
 struct Errors {
     std::vector<Fault> faults;         // rows from the top
@@ -38,6 +38,6 @@ struct Errors {
 double quantile(const std::vector<float>& sorted, double part);
 
 // The picture must have the channels position, normal and verdict.
-Errors compare(const scene::SceneAt& now, const image::Frame& drawn, const truth::Truth& truth);
+Errors compare(const scene::SceneAt& now, const image::Frame& drawn, const roots::Truth& truth);
 
 } // namespace isomotion::accuracy

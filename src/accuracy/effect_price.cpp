@@ -27,8 +27,8 @@ std::vector<EffectPrice> effect_prices(gpu::Context& context, const scene::Scene
     render::Renderer full(context, scene, options);
     ms(full, scene); // drivers make their code at the first draw
     std::vector<EffectPrice> prices;
-    for (const synthesis::Effect effect : synthesis::effects(scene)) {
-        const scene::Scene less = synthesis::without(effect, scene);
+    for (const shader::Effect effect : shader::effects(scene)) {
+        const scene::Scene less = shader::without(effect, scene);
         render::Renderer partial(context, less, options);
         ms(partial, less);
         std::vector<double> with, without, difference;

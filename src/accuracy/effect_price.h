@@ -5,12 +5,12 @@
 
 #include "gpu/context.h"
 #include "render/stage.h"
-#include "synthesis/effect.h"
+#include "shader/effect.h"
 
 namespace isomotion::accuracy {
 
 struct EffectPrice {
-    synthesis::Effect effect;
+    shader::Effect effect;
     double with = 0, without = 0; // ms per frame, medians
     double price = 0;             // ms: the median of the differences of paired runs
 };

@@ -11,8 +11,8 @@
 namespace isomotion::accuracy {
 namespace {
 
-const std::vector<synthesis::Channel> compared_channels{
-    synthesis::Channel::normal, synthesis::Channel::position, synthesis::Channel::verdict};
+const std::vector<shader::Channel> compared_channels{
+    shader::Channel::normal, shader::Channel::position, shader::Channel::verdict};
 
 // Hits are compared by their positions, which float can't tell apart far from the origin.
 scene::SceneAt picture_of(const scene::Scene& scene, int frame) {
@@ -20,7 +20,7 @@ scene::SceneAt picture_of(const scene::Scene& scene, int frame) {
 }
 
 Measurement measure_one(gpu::Context& context, const scene::Scene& scene, const Setting& setting,
-                        const std::vector<truth::Truth>& truths, const MeasureOptions& how) {
+                        const std::vector<roots::Truth>& truths, const MeasureOptions& how) {
     Measurement found;
     found.setting = setting;
     const scene::Scene changed = apply(setting, scene);
@@ -29,9 +29,9 @@ Measurement measure_one(gpu::Context& context, const scene::Scene& scene, const 
     options.stage = how.stage;
     render::Renderer timed(context, changed, options);
     options.channels = compared_channels;
-    if (scene.surfaces.size() > 1) options.channels.push_back(synthesis::Channel::surface);
+    if (scene.surfaces.size() > 1) options.channels.push_back(shader::Channel::surface);
     if (scene.surfaces.front().isolation.certify)
-        options.channels.push_back(synthesis::Channel::proof);
+        options.channels.push_back(shader::Channel::proof);
     render::Renderer looked_at(context, changed, options);
     Popping popping;
     std::vector<double> ms;
@@ -72,10 +72,10 @@ std::vector<Measurement> measure(gpu::Context& context, const scene::Scene& scen
     scene::Scene sized = scene;
     sized.output.width = how.width;
     sized.output.height = how.height;
-    std::vector<truth::Truth> truths;
+    std::vector<roots::Truth> truths;
     for (std::size_t k = 0; k < how.frames.size(); ++k) {
         const scene::SceneAt now = picture_of(sized, how.frames[k]);
-        truth::Certifying certifying;
+        roots::Certifying certifying;
         certifying.progress = [&](double part) {
             tell(fmt::format("truth of frame {}", how.frames[k]),
                  (double(k) + part) / double(how.frames.size()));

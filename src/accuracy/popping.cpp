@@ -4,15 +4,15 @@
 
 namespace isomotion::accuracy {
 
-void Popping::add(const image::Frame& drawn, const truth::Truth& truth) {
+void Popping::add(const image::Frame& drawn, const roots::Truth& truth) {
     Seen now;
     for (const float verdict : drawn.find("verdict")->samples) {
         const auto v = render::Verdict(int(verdict));
         now.hit.push_back(v == render::Verdict::hit || v == render::Verdict::zero_gradient);
     }
-    for (const truth::FirstRoot& root : truth.roots) {
-        now.certain.push_back(root.answer == truth::Answer::hit    ? 1
-                              : root.answer == truth::Answer::miss ? 0
+    for (const roots::FirstRoot& root : truth.roots) {
+        now.certain.push_back(root.answer == roots::Answer::hit    ? 1
+                              : root.answer == roots::Answer::miss ? 0
                                                                    : -1);
     }
     if (last_.size() == 2) {

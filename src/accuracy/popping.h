@@ -5,14 +5,14 @@
 #include <vector>
 
 #include "image/frame.h"
-#include "truth/certify.h"
+#include "roots/certify.h"
 
 namespace isomotion::accuracy {
 
 class Popping {
 public:
     // Call it for successive frames, in order.
-    void add(const image::Frame& drawn, const truth::Truth& truth);
+    void add(const image::Frame& drawn, const roots::Truth& truth);
     std::int64_t count() const { return count_; }
 
 private:

@@ -15,7 +15,7 @@ namespace {
 // Changes with the certifying itself: what older programs wrote is not read.
 constexpr std::string_view version = "isomotion truth 5";
 
-static_assert(std::is_trivially_copyable_v<truth::FirstRoot>);
+static_assert(std::is_trivially_copyable_v<roots::FirstRoot>);
 
 void add(base::Fingerprint& print, const formula::Field& field, const scene::OneSurfaceAt& now) {
     print.add(field.text);
@@ -45,7 +45,7 @@ void add(base::Fingerprint& print, const formula::Field& field, const scene::One
 }
 
 std::string fingerprint(const scene::Scene& scene, const scene::SceneAt& now, int width, int height,
-                        const truth::Budget& budget) {
+                        const roots::Budget& budget) {
     base::Fingerprint print;
     print.add(version);
     for (std::size_t k = 0; k < scene.surfaces.size(); ++k)
@@ -62,28 +62,28 @@ struct Contents {
     std::string sum() const { return base::Fingerprint().add(bytes).text(); }
 };
 
-std::optional<truth::Truth> read(const fs::path& file, int width, int height) {
+std::optional<roots::Truth> read(const fs::path& file, int width, int height) {
     std::ifstream stream(file, std::ios::binary);
     const std::string text{std::istreambuf_iterator<char>(stream), {}};
-    truth::Truth truth{width, height, {}, 0};
+    roots::Truth truth{width, height, {}, 0};
     truth.roots.resize(std::size_t(width) * std::size_t(height));
     const std::size_t size =
-        sizeof(truth.evaluations) + truth.roots.size() * sizeof(truth::FirstRoot);
+        sizeof(truth.evaluations) + truth.roots.size() * sizeof(roots::FirstRoot);
     if (text.size() < version.size() + size || !text.starts_with(version)) return std::nullopt;
     const Contents contents{text.substr(version.size(), size)};
     if (text.substr(version.size() + size) != contents.sum()) return std::nullopt;
     std::memcpy(&truth.evaluations, contents.bytes.data(), sizeof(truth.evaluations));
     std::memcpy(truth.roots.data(), contents.bytes.data() + sizeof(truth.evaluations),
-                truth.roots.size() * sizeof(truth::FirstRoot));
+                truth.roots.size() * sizeof(roots::FirstRoot));
     return truth;
 }
 
-void write(const fs::path& file, const truth::Truth& truth) {
+void write(const fs::path& file, const roots::Truth& truth) {
     Contents contents;
     contents.bytes.append(reinterpret_cast<const char*>(&truth.evaluations),
                           sizeof(truth.evaluations));
     contents.bytes.append(reinterpret_cast<const char*>(truth.roots.data()),
-                          truth.roots.size() * sizeof(truth::FirstRoot));
+                          truth.roots.size() * sizeof(roots::FirstRoot));
     const std::string text = std::string(version) + contents.bytes + contents.sum();
     std::error_code ignored;
     fs::create_directories(file.parent_path(), ignored);
@@ -104,12 +104,12 @@ fs::path truth_cache_folder() {
     return {};
 }
 
-truth::Truth remembered_truth(const scene::Scene& scene, const scene::SceneAt& now, int width,
-                              int height, const truth::Certifying& how, const fs::path& folder) {
-    if (folder.empty()) return truth::certify(scene, now, width, height, how);
+roots::Truth remembered_truth(const scene::Scene& scene, const scene::SceneAt& now, int width,
+                              int height, const roots::Certifying& how, const fs::path& folder) {
+    if (folder.empty()) return roots::certify(scene, now, width, height, how);
     const fs::path file = folder / (fingerprint(scene, now, width, height, how.budget) + ".bin");
     if (auto known = read(file, width, height)) return *std::move(known);
-    truth::Truth truth = truth::certify(scene, now, width, height, how);
+    roots::Truth truth = roots::certify(scene, now, width, height, how);
     write(file, truth);
     return truth;
 }

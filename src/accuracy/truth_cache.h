@@ -3,7 +3,7 @@
 
 #include <filesystem>
 
-#include "truth/certify.h"
+#include "roots/certify.h"
 
 namespace isomotion::accuracy {
 
@@ -13,8 +13,8 @@ std::filesystem::path truth_cache_folder();
 // Reads the truth from a file of `folder`, or certifies it and writes the file. The file's name is
 // the fingerprint of everything that truth depends on. A file that is damaged or cannot be written
 // only costs time. With an empty `folder` nothing is kept.
-truth::Truth remembered_truth(const scene::Scene& scene, const scene::SceneAt& now, int width,
-                              int height, const truth::Certifying& how,
+roots::Truth remembered_truth(const scene::Scene& scene, const scene::SceneAt& now, int width,
+                              int height, const roots::Certifying& how,
                               const std::filesystem::path& folder);
 
 } // namespace isomotion::accuracy

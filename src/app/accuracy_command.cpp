@@ -89,7 +89,7 @@ int price_effects(const AccuracyArguments& arguments) {
                           ? scene.output.poster
                           : animation::parse_frame_range(arguments.frames).front();
     expect_frames_of({&frame, 1}, scene);
-    if (synthesis::effects(scene).empty()) {
+    if (shader::effects(scene).empty()) {
         print_result("{} calls for no effect\n", scene.title);
         return exit_done;
     }
@@ -102,8 +102,8 @@ int price_effects(const AccuracyArguments& arguments) {
                  context->info().renderer, context->info().version);
     print_result("{:<18}{:>10}{:>12}{:>12}\n", "effect", "with ms", "without ms", "price ms");
     for (const accuracy::EffectPrice& price : prices) {
-        print_result("{:<18}{:>10.2f}{:>12.2f}{:>12.2f}\n", synthesis::name(price.effect),
-                     price.with, price.without, price.price);
+        print_result("{:<18}{:>10.2f}{:>12.2f}{:>12.2f}\n", shader::name(price.effect), price.with,
+                     price.without, price.price);
     }
     return exit_done;
 }
@@ -128,7 +128,7 @@ accuracy::Report measured(const AccuracyArguments& arguments) {
             inputs.expect_apart("-o", std::filesystem::path(arguments.output) / name);
     }
     const auto context = open_context(arguments.backend);
-    const synthesis::Stage stage = render::choose_stage(measuring.stage, context->info());
+    const shader::Stage stage = render::choose_stage(measuring.stage, context->info());
     Progress progress("measuring", 1000, arguments.quiet);
     measuring.progress = [&](const std::string& what, double part) {
         progress.show(int(1000 * part), what);

@@ -6,7 +6,7 @@
 
 #include "gpu/context.h"
 #include "scene/method.h"
-#include "synthesis/channel.h"
+#include "shader/channel.h"
 
 namespace isomotion::app {
 namespace {
@@ -43,7 +43,7 @@ std::vector<std::string> known_choices(const std::string& command, const std::st
     }
     if (option == "--method" || option == "--methods") return names_of(scene::method_traits);
     if (option == "--stage") return {"fragment", "compute", "auto"};
-    if (option == "--channels") return names_of(synthesis::channel_names());
+    if (option == "--channels") return names_of(shader::channel_names());
     if (option == "--certify" && command == "topology") return {"off", "fast", "full"};
     return {};
 }

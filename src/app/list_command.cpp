@@ -6,7 +6,7 @@
 #include "scene/data_folder.h"
 #include "scene/method.h"
 #include "scene/reading/load.h"
-#include "synthesis/effect.h"
+#include "shader/effect.h"
 
 namespace isomotion::app {
 namespace {
@@ -28,7 +28,7 @@ int list(const std::string& what) {
             print_result("{:<12} {}\n", method.name, method.summary);
         }
     } else if (what == "effects") {
-        for (const auto& effect : synthesis::effect_traits()) {
+        for (const auto& effect : shader::effect_traits()) {
             print_result("{:<16} {}\n", effect.name, effect.summary);
         }
     } else if (what == "looks") {

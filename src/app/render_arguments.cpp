@@ -15,7 +15,7 @@
 #include "scene/method.h"
 #include "sequence/inputs.h"
 #include "sequence/names/sequence_name.h"
-#include "synthesis/channel.h"
+#include "shader/channel.h"
 
 namespace isomotion::app {
 namespace {
@@ -94,15 +94,15 @@ std::string output_of(const RenderArguments& arguments, const scene::Scene& scen
 }
 
 // The channels in one order, whatever the user's: the order decides shader text and fingerprint.
-std::vector<synthesis::Channel> parse_channels(const std::string& text) {
-    std::vector<synthesis::Channel> channels;
+std::vector<shader::Channel> parse_channels(const std::string& text) {
+    std::vector<shader::Channel> channels;
     for (std::size_t begin = 0; begin < text.size();) {
         const std::size_t comma = std::min(text.find(',', begin), text.size());
         const std::string part = text.substr(begin, comma - begin);
-        const auto channel = synthesis::parse_channel(part);
+        const auto channel = shader::parse_channel(part);
         if (!channel) {
             std::vector<std::string_view> known;
-            for (const auto& entry : synthesis::channel_names()) known.push_back(entry.name);
+            for (const auto& entry : shader::channel_names()) known.push_back(entry.name);
             throw std::invalid_argument(fmt::format(
                 "--channels: there is no channel '{}'; known: {}", part, fmt::join(known, ", ")));
         }

@@ -17,9 +17,9 @@
 #include "app/render_arguments.h"
 #include "app/stop_on_signal.h"
 #include "image/frame.h"
-#include "scene/found_bounds.h"
+#include "probe/found_bounds.h"
+#include "probe/sight.h"
 #include "scene/method.h"
-#include "scene/sight.h"
 #include "scene/surfaces.h"
 #include "sequence/exporter.h"
 #include "sequence/movies/movie.h"
@@ -93,22 +93,22 @@ std::string summary(const sequence::ExportTotals& totals, Seconds wall) {
 std::string bounds_beyond(const sequence::Exporter& exporter) {
     const scene::Scene& scene = exporter.scene();
     const int last = std::ranges::max(exporter.options().frames);
-    if (!scene::are_bounds_found(scene) || last <= scene.timeline.frames) return "";
+    if (!probe::are_bounds_found(scene) || last <= scene.timeline.frames) return "";
     return fmt::format("frames beyond {0} may be cut: bounds were found for frames 1 to {0}; --set "
                        "time.frames={1} finds them for all",
                        scene.timeline.frames, last);
 }
 
 // What is known of each surface at the first frame asked for, with what tells it from others.
-std::vector<std::pair<std::string, scene::Sight>> sights_of(const sequence::Exporter& exporter) {
+std::vector<std::pair<std::string, probe::Sight>> sights_of(const sequence::Exporter& exporter) {
     const scene::Scene& scene = exporter.scene();
     const int frame = exporter.options().frames.front();
     const scene::SceneAt now = scene::at_frame(scene, frame);
-    std::vector<std::pair<std::string, scene::Sight>> sights;
+    std::vector<std::pair<std::string, probe::Sight>> sights;
     for (std::size_t k = 0; k < scene.surfaces.size(); ++k) {
         const scene::OneSurface one(scene, k);
         sights.emplace_back(one.is_alone() ? "" : fmt::format("surface '{}': ", one.surface.label),
-                            scene::sight(one, {now, k}));
+                            probe::sight(one, {now, k}));
     }
     return sights;
 }
@@ -121,12 +121,12 @@ bool has_hits(const sequence::ExportTotals& totals) {
 
 // Rays that end undecided may have missed something, unless F is proved to have no zero.
 std::string why_no_hit(const sequence::ExportTotals& totals, const std::string& whose,
-                       const scene::Sight& sight) {
+                       const probe::Sight& sight) {
     const std::int64_t undecided = totals.verdicts[std::size_t(render::Verdict::nan)] +
                                    totals.verdicts[std::size_t(render::Verdict::step_limit)];
     if (undecided > 0 && !sight.values)
         return fmt::format("no ray is known to hit anything: {} ended undecided", undecided);
-    return fmt::format("no ray hits anything: {}{}", whose, scene::why_nothing_is_seen(sight));
+    return fmt::format("no ray hits anything: {}{}", whose, probe::why_nothing_is_seen(sight));
 }
 
 int stopped() {
@@ -162,7 +162,7 @@ int render(const RenderArguments& arguments) {
     say(beginning(exporter, context->info()));
     const auto sights = sights_of(exporter);
     for (const auto& [whose, sight] : sights) {
-        for (const std::string& slip : scene::slips(sight)) warn(whose + slip);
+        for (const std::string& slip : probe::slips(sight)) warn(whose + slip);
     }
 
     const StopOnSignal stop;

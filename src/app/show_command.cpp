@@ -13,14 +13,14 @@
 #include "base/extension.h"
 #include "base/printable.h"
 #include "image/environment.h"
+#include "probe/sight.h"
 #include "render/stage.h"
 #include "scene/reading/load.h"
 #include "scene/scene_at.h"
-#include "scene/sight.h"
 #include "scene/surfaces.h"
-#include "synthesis/assemble.h"
-#include "synthesis/effect.h"
-#include "synthesis/inlined_size.h"
+#include "shader/assemble.h"
+#include "shader/effect.h"
+#include "shader/inlined_size.h"
 
 namespace isomotion::app {
 namespace {
@@ -64,12 +64,12 @@ std::string range_text(const scene::Surface& surface, std::size_t track, double 
 }
 
 // No driver is asked here, so nothing can be chosen by one.
-synthesis::Stage stage_of(const ShowArguments& arguments) {
+shader::Stage stage_of(const ShowArguments& arguments) {
     switch (render::parse_stage(arguments.stage)) {
     case render::StageChoice::fragment:
-        return synthesis::Stage::fragment;
+        return shader::Stage::fragment;
     case render::StageChoice::compute:
-        return synthesis::Stage::compute;
+        return shader::Stage::compute;
     case render::StageChoice::automatic:
         break;
     }
@@ -78,8 +78,8 @@ synthesis::Stage stage_of(const ShowArguments& arguments) {
 }
 
 // A pass under a heading, its stages one after the other.
-void print_pass(const synthesis::Pass& pass) {
-    print_result("// ===== pass '{}', {}\n", pass.name, synthesis::words(pass.when));
+void print_pass(const shader::Pass& pass) {
+    print_result("// ===== pass '{}', {}\n", pass.name, shader::words(pass.when));
     print_result("// files: {}\n", fmt::join(pass.files, " "));
     if (!pass.vertex.empty()) print_result("// ----- vertex shader\n{}\n", pass.vertex);
     print_result("// ----- {} shader\n{}\n", render::name(pass.stage), pass.text);
@@ -87,20 +87,20 @@ void print_pass(const synthesis::Pass& pass) {
 
 // Prints the passes that every frame runs, in order; then the names of those that only some frames
 // run.
-void print_passes(const synthesis::Passes& passes) {
-    for (const synthesis::Pass& pass : passes.list) {
-        if (!synthesis::is_exceptional(pass.when)) print_pass(pass);
+void print_passes(const shader::Passes& passes) {
+    for (const shader::Pass& pass : passes.list) {
+        if (!shader::is_exceptional(pass.when)) print_pass(pass);
     }
-    for (const synthesis::Pass& pass : passes.list) {
-        if (!synthesis::is_exceptional(pass.when)) continue;
+    for (const shader::Pass& pass : passes.list) {
+        if (!shader::is_exceptional(pass.when)) continue;
         print_result("// not printed: pass '{}', {} (--pass '{}')\n", pass.name,
-                     synthesis::words(pass.when), pass.name);
+                     shader::words(pass.when), pass.name);
     }
 }
 
-const synthesis::Pass& pass_named(const synthesis::Passes& passes, const std::string& name) {
+const shader::Pass& pass_named(const shader::Passes& passes, const std::string& name) {
     std::vector<std::string> names;
-    for (const synthesis::Pass& pass : passes.list) {
+    for (const shader::Pass& pass : passes.list) {
         if (pass.name == name) return pass;
         names.push_back(fmt::format("'{}'", pass.name));
     }
@@ -123,7 +123,7 @@ int write_scene(const ShowArguments& arguments) {
 }
 
 // What one surface is at a frame; `now` is its own.
-void print_surface(const scene::OneSurface& one, const synthesis::Passes& passes,
+void print_surface(const scene::OneSurface& one, const shader::Passes& passes,
                    const scene::OneSurfaceAt& now, int frame) {
     const animation::Values& values = *now.surface.values;
     const scene::Isolation& isolation = one.surface.isolation;
@@ -132,10 +132,10 @@ void print_surface(const scene::OneSurface& one, const synthesis::Passes& passes
                  one.scene.timeline.frames == 1 ? "" : "s",
                  animation::to_string(one.scene.timeline.fps),
                  one.scene.timeline.loops ? ", a loop" : "");
-    print_result("class     {}\n", formula::words(one.surface.smoothness));
+    print_result("class     {}\n", formula::words(one.surface.measured.smoothness));
     if (isolation.method == scene::Method::hermite) {
         print_result("method    hermite, safety {:g}", isolation.safety);
-        const formula::CubicSteps& steps = one.surface.cubic_steps;
+        const formula::CubicSteps& steps = one.surface.measured.cubic_steps;
         if (steps != formula::CubicSteps{})
             print_result(", steps of {:g} of the usual, the first {:g}", steps.longest,
                          steps.first);
@@ -147,7 +147,7 @@ void print_surface(const scene::OneSurface& one, const synthesis::Passes& passes
                      isolation.horizon, isolation.bisections);
     }
     const bool looks_out =
-        isolation.method == scene::Method::hermite && !one.surface.smoothness.is_smooth();
+        isolation.method == scene::Method::hermite && !one.surface.measured.smoothness.is_smooth();
     print_result("{}{}\n", !passes.beams.empty() ? ", beams" : "",
                  looks_out ? "; by bounds where the formula isn't smooth" : "");
     print_result("frame     {} at t = {:g} s\n", frame, values.time);
@@ -158,12 +158,11 @@ void print_surface(const scene::OneSurface& one, const synthesis::Passes& passes
     for (std::size_t a = 0; a < values.arrays.size(); ++a) {
         const auto& array = one.surface.animation.arrays()[a];
         print_result("    {:<28} {} elements{}\n", array.name, values.arrays[a].count,
-                     synthesis::array_with_grid(passes) == int(a) ? ", found by place" : "");
+                     shader::array_with_grid(passes) == int(a) ? ", found by place" : "");
         if (array.samples) print_samples(*array.samples, values.time);
     }
     std::vector<std::string_view> called;
-    for (const synthesis::Effect effect : synthesis::effects(one))
-        called.push_back(synthesis::name(effect));
+    for (const shader::Effect effect : shader::effects(one)) called.push_back(shader::name(effect));
     if (!one.surface.look.name.empty()) {
         print_result("look      {}: sets {}\n", one.surface.look.name,
                      one.surface.look.keys.empty()
@@ -177,7 +176,7 @@ void print_surface(const scene::OneSurface& one, const synthesis::Passes& passes
                      paint->met ? "what the surface shows"
                                 : "as no ray of the pictures looked at meets the surface");
     }
-    const double size = synthesis::inlined_size(passes), largest = synthesis::largest_shaders();
+    const double size = shader::inlined_size(passes), largest = shader::largest_shaders();
     print_result("compiles  {} passes, {:.0f} operations{}\n", passes.list.size(), size,
                  size > largest ? fmt::format("; more than {:.0f} are not compiled", largest) : "");
     if (passes.tapes)
@@ -185,7 +184,7 @@ void print_surface(const scene::OneSurface& one, const synthesis::Passes& passes
             "runs      the formula instruction by instruction, as a driver would take long to "
             "compile its {:.0f} operations\n",
             passes.size_compiled);
-    const scene::Sight sight = scene::sight(one, now);
+    const probe::Sight sight = probe::sight(one, now);
     if (one.surface.jumps_are_walls) print_result("jumps     are walls\n");
     if (const auto& found = one.surface.found_bounds) {
         const scene::BoundsAt bounds = now.surface.bounds;
@@ -194,11 +193,11 @@ void print_surface(const scene::OneSurface& one, const synthesis::Passes& passes
                      *found ? "which holds the surface at all frames"
                             : "as the surface goes on beyond 10 units, or there is none");
     }
-    if (sight.values) print_result("nothing   {}\n", scene::why_nothing_is_seen(sight));
+    if (sight.values) print_result("nothing   {}\n", probe::why_nothing_is_seen(sight));
     if (sight.cut > 0)
         print_result("bounds    cut the surface open: {:.2g} % of their faces are behind it\n",
                      100 * sight.cut);
-    for (const std::string& slip : scene::slips(sight))
+    for (const std::string& slip : probe::slips(sight))
         print_result("likely    a slip: {}\n", slip);
     print_result("stage     {}\n", render::name(passes.stage));
     print_result("shaders   {}\n", fmt::join(passes.files(), " "));
@@ -228,11 +227,11 @@ int show(const ShowArguments& arguments) {
     for (std::size_t k = 0; k < scene.surfaces.size(); ++k) {
         const scene::OneSurface one(scene, k);
         const std::int64_t pixels = std::int64_t(scene.output.width) * scene.output.height;
-        const synthesis::Passes passes =
-            synthesis::assemble(one, {},
-                                {.stage = stage_of(arguments),
-                                 .branches = stage_of(arguments) == synthesis::Stage::compute,
-                                 .pixels = pixels});
+        const shader::Passes passes =
+            shader::assemble(one, {},
+                             {.stage = stage_of(arguments),
+                              .branches = stage_of(arguments) == shader::Stage::compute,
+                              .pixels = pixels});
         if (!one.is_alone()) {
             print_result("{}surface   {}: {} of {}\n", lists ? "\n" : "// ##### ",
                          one.surface.label, k + 1, scene.surfaces.size());

@@ -68,7 +68,7 @@ public:
         frames_ = exporter.options().frames;
         job_.program = fs::read_symlink("/proc/self/exe");
         job_.folder = fs::current_path();
-        job_.scene = scene::word_of(exporter.scene());
+        job_.scene = scene::reload_argument(exporter.scene());
         job_.output = fs::absolute(exporter.options().output);
         job_.frames = all_frames(); // as short as they were written
         for (const std::string& movie : render.movies) job_.movies.push_back(fs::absolute(movie));

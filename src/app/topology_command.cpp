@@ -20,8 +20,8 @@
 #include "gpu/context.h"
 #include "gpu/error.h"
 #include "image/encode.h"
+#include "probe/found_bounds.h"
 #include "render/renderer.h"
-#include "scene/found_bounds.h"
 #include "scene/reading/load.h"
 #include "scene/surfaces.h"
 #include "sequence/inputs.h"
@@ -91,7 +91,7 @@ void check_grid(const TopologyArguments& arguments) {
 std::vector<scene::Override> settings_of(const TopologyArguments& arguments,
                                          const scene::Scene& scene) {
     std::vector<scene::Override> settings = arguments.settings;
-    if (arguments.frames.empty() || !scene::are_bounds_found(scene)) return settings;
+    if (arguments.frames.empty() || !probe::are_bounds_found(scene)) return settings;
     const int last = std::ranges::max(animation::parse_frame_range(arguments.frames));
     if (last <= scene.timeline.frames) return settings;
     std::erase_if(settings, [](const scene::Override& setting) {

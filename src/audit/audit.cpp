@@ -8,9 +8,9 @@
 
 #include <fmt/format.h>
 
-#include "truth/cut_rays.h"
-#include "truth/nearest.h"
-#include "truth/tube.h"
+#include "roots/cut_rays.h"
+#include "roots/nearest.h"
+#include "roots/tube.h"
 
 namespace isomotion::audit {
 namespace {
@@ -22,7 +22,7 @@ constexpr int usual_list = 256; // elements that matter at a place, where there 
 constexpr double part_of_drawing = 0.03;
 constexpr std::size_t rays_together = 64;
 // A ray that takes more is left undecided: an audit is to be cheap, and there are other rays.
-constexpr truth::Budget budget{.evaluations = 2'000};
+constexpr roots::Budget budget{.evaluations = 2'000};
 
 // 30720 as "30,720".
 std::string with_commas(std::int64_t number) {
@@ -31,18 +31,18 @@ std::string with_commas(std::int64_t number) {
     return text;
 }
 
-void count(const render::Ending& ending, const truth::FirstRoot& root, double footprint, int frame,
+void count(const render::Ending& ending, const roots::FirstRoot& root, double footprint, int frame,
            Findings& found) {
-    const truth::Fault fault =
-        truth::judge(root, ending.is_known() && ending.is_hit(), double(ending.t), footprint);
+    const roots::Fault fault =
+        roots::judge(root, ending.is_known() && ending.is_hit(), double(ending.t), footprint);
     // A ray that may touch the surface and go on may be drawn either way.
-    const bool is_open = root.answer == truth::Answer::touching && fault == truth::Fault::none;
-    if (is_open || fault == truth::Fault::undecided) {
+    const bool is_open = root.answer == roots::Answer::touching && fault == roots::Fault::none;
+    if (is_open || fault == roots::Fault::undecided) {
         ++found.undecided;
         return;
     }
     ++found.rays;
-    if (fault == truth::Fault::none) return;
+    if (fault == roots::Fault::none) return;
     ++found.wrong;
     if (found.examples.size() < most_examples)
         found.examples.push_back({frame, ending.column, ending.row, fault});
@@ -121,10 +121,10 @@ Findings Auditor::hold(int frame, const scene::SceneAt& now, const scene::Aim& a
                        const std::function<bool()>& stop,
                        std::shared_ptr<const elements::ElementGrid> grid) {
     const auto begin = std::chrono::steady_clock::now();
-    const truth::RaysOfSurfaces rays(now, width, height, aim);
-    std::vector<truth::Sections> sections;
-    std::vector<truth::EnclosedField::Frame> fields;
-    std::vector<truth::RootFinder> finders;
+    const roots::RaysOfSurfaces rays(now, width, height, aim);
+    std::vector<roots::Sections> sections;
+    std::vector<roots::EnclosedField::Frame> fields;
+    std::vector<roots::RootFinder> finders;
     for (std::size_t k = 0; k < fields_.size(); ++k) {
         sections.emplace_back(scene::OneSurfaceAt(now, k));
         fields.push_back(fields_[k].at(now.surfaces[k], 1, k == 0 ? std::move(grid) : nullptr));
@@ -135,17 +135,17 @@ Findings Auditor::hold(int frame, const scene::SceneAt& now, const scene::Aim& a
     for (std::size_t first = 0; first < endings.size() && !(stop && stop());
          first += rays_together) {
         const auto some = endings.subspan(first, std::min(rays_together, endings.size() - first));
-        std::vector<std::vector<truth::FirstRoot>> roots(fields_.size());
+        std::vector<std::vector<roots::FirstRoot>> roots(fields_.size());
         for (std::size_t k = 0; k < fields_.size(); ++k) {
-            std::vector<truth::Tube> of_rays;
+            std::vector<roots::Tube> of_rays;
             for (const render::Ending& ending : some)
                 of_rays.push_back(rays.of(k).at(ending.column, ending.row));
             roots[k].resize(of_rays.size());
-            truth::find_first(finders[k], sections[k], of_rays, roots[k]);
+            roots::find_first(finders[k], sections[k], of_rays, roots[k]);
         }
         for (std::size_t at = 0; at < some.size(); ++at) {
             const render::Ending& ending = some[at];
-            std::vector<truth::FirstRoot> of_surfaces;
+            std::vector<roots::FirstRoot> of_surfaces;
             of_surfaces.reserve(roots.size());
             for (const auto& of_one : roots) of_surfaces.push_back(of_one[at]);
             count(ending, rays.nearest(ending.column, ending.row, of_surfaces),

@@ -10,15 +10,15 @@
 #include <vector>
 
 #include "render/renderer.h"
+#include "roots/field_at_frame.h"
+#include "roots/judge.h"
 #include "scene/scene.h"
-#include "truth/field_at_frame.h"
-#include "truth/judge.h"
 
 namespace isomotion::audit {
 
 struct WrongPixel {
     int frame = 0, column = 0, row = 0; // from the top
-    truth::Fault fault = truth::Fault::none;
+    roots::Fault fault = roots::Fault::none;
 };
 
 struct Findings {
@@ -63,7 +63,7 @@ public:
 
 private:
     const scene::Scene& scene_;
-    std::vector<truth::EnclosedField> fields_; // for each surface
+    std::vector<roots::EnclosedField> fields_; // for each surface
     double seconds_ = 0;
     std::int64_t rays_ = 0;
 };

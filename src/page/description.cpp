@@ -20,15 +20,15 @@
 #include "render/march_plan.h"
 #include "render/sample_pattern.h"
 #include "scene/color_map.h"
-#include "synthesis/beam_copies_text.h"
-#include "synthesis/effect.h"
-#include "synthesis/effect_text.h"
+#include "shader/beam_copies_text.h"
+#include "shader/effect.h"
+#include "shader/effect_text.h"
 
 namespace isomotion::page {
 namespace {
 
 using Json = nlohmann::ordered_json;
-using synthesis::Role;
+using shader::Role;
 
 constexpr std::size_t longest_source = 200'000; // bytes
 // A picture at rest is refined to the mean of so many samples, as in the player.
@@ -108,11 +108,11 @@ private:
 
 Json passes_of(const WebSurface& web, Texts& texts) {
     Json all = Json::array();
-    for (const synthesis::Pass& pass : web.passes.list) {
+    for (const shader::Pass& pass : web.passes.list) {
         all.push_back({{"role", name_of(pass.role)},
                        {"name", pass.name},
                        {"level", pass.level},
-                       {"exceptional", synthesis::is_exceptional(pass.when)},
+                       {"exceptional", shader::is_exceptional(pass.when)},
                        {"vertex", texts.lines_of(pass.vertex)},
                        {"text", texts.lines_of(pass.text)},
                        {"samplers", pass.samplers},
@@ -123,14 +123,14 @@ Json passes_of(const WebSurface& web, Texts& texts) {
 
 Json beams_of(const WebSurface& web) {
     Json all = Json::array();
-    const bool copied = synthesis::has_copies(web.passes);
-    for (const synthesis::BeamLevel& level : web.passes.beams) {
+    const bool copied = shader::has_copies(web.passes);
+    for (const shader::BeamLevel& level : web.passes.beams) {
         all.push_back(
             {{"block", level.block},
              {"square", 1 << level.square_bits},
-             {"masks", synthesis::masks_of_level(web.passes, level)},
-             {"lists", copied ? synthesis::lists_of_a_block(level) : 0},
-             {"listRows", copied ? synthesis::rows_of_copies(web.passes, int(all.size())) : 0},
+             {"masks", shader::masks_of_level(web.passes, level)},
+             {"lists", copied ? shader::lists_of_a_block(level) : 0},
+             {"listRows", copied ? shader::rows_of_copies(web.passes, int(all.size())) : 0},
              {"evaluations",
               render::evaluations_of_a_beam(web.passes, *web.one.surface.field, level.lists)}});
     }
@@ -153,7 +153,7 @@ Json tables_of(const SurfaceValues& values) {
 Json arrays_of(const WebSurface& web, const SurfaceValues& values) {
     Json all = Json::array();
     for (const auto& array : web.passes.arrays) {
-        const bool in_block = array.kind == synthesis::ArrayStorage::Kind::uniform_block;
+        const bool in_block = array.kind == shader::ArrayStorage::Kind::uniform_block;
         const auto& computed = values.computed[all.size()];
         all.push_back(
             {{"name", in_block ? array.name + "_block" : array.name},
@@ -165,7 +165,7 @@ Json arrays_of(const WebSurface& web, const SurfaceValues& values) {
 
 // Where the elements are that a page finds by place; null where it goes through all.
 Json grid_of(const WebSurface& web) {
-    const auto array = synthesis::array_with_grid(web.passes);
+    const auto array = shader::array_with_grid(web.passes);
     if (!array) return nullptr;
     return {{"array", *array},
             // Its place in the block Parameters, in floats.
@@ -175,7 +175,7 @@ Json grid_of(const WebSurface& web) {
 
 // What a slider makes of elements may matter in other cells: then the shaders go through all.
 bool can_go_through_all(const WebSurface& web) {
-    const auto array = synthesis::array_with_grid(web.passes);
+    const auto array = shader::array_with_grid(web.passes);
     return !array || web.passes.arrays[std::size_t(*array)].capacity <= most_elements;
 }
 
@@ -263,7 +263,7 @@ Json settings_of(const scene::OneSurface& one) {
             {"limit", isolation.limit},
             {"safety", isolation.safety},
             {"cubics", scene::traits(isolation.method).steps == scene::Steps::cubics},
-            {"steps", steps_of(one.surface.cubic_steps)},
+            {"steps", steps_of(one.surface.measured.cubic_steps)},
             {"heldSteps", steps_of(player::steps_at_slider_ends(one))}};
 }
 
@@ -306,16 +306,16 @@ Json viewers_lights_of(const scene::Scene& scene) {
 // How one surface is drawn.
 Json surface_of(const WebSurface& web, const SurfaceValues& values, Texts& texts) {
     const scene::OneSurface& one = web.one;
-    const synthesis::Passes& passes = web.passes;
+    const shader::Passes& passes = web.passes;
     Json all;
     all["box"] = one.surface.bounds.shape == scene::Bounds::Shape::box;
     all["settings"] = settings_of(one);
     all["rules"] = rules_of(one.surface);
     all["evaluations"] = web.plan.march.evaluations_per_pass;
-    all["shadowLights"] = std::popcount(unsigned(synthesis::shadow_mask(one.scene)));
+    all["shadowLights"] = std::popcount(unsigned(shader::shadow_mask(one.scene)));
     all["stateTextures"] = passes.state_textures;
     all["beams"] = beams_of(web);
-    all["squaresApart"] = synthesis::beam_square;
+    all["squaresApart"] = shader::beam_square;
     all["parameterVectors"] = passes.parameter_vectors;
     all["arrays"] = arrays_of(web, values);
     all["grid"] = grid_of(web);

@@ -7,7 +7,7 @@
 
 #include "image/environment.h"
 #include "image/environment_levels.h"
-#include "synthesis/effect_text.h"
+#include "shader/effect_text.h"
 
 namespace isomotion::page {
 
@@ -43,7 +43,7 @@ Environment environment(const scene::Scene& scene,
     if (mended > 0 && warn) warn(image::mending(from.map, mended));
     const image::EnvironmentMap map = reduction.map();
     Environment all{page_map_of(map), std::nullopt};
-    if (synthesis::mirrors_environment({scene, 0}))
+    if (shader::mirrors_environment({scene, 0}))
         all.levels = page_map_of(image::environment_levels(map, image::widest_level));
     return all;
 }

@@ -20,7 +20,7 @@
 #include "scene/error.h"
 #include "scene/near_elements.h"
 #include "scene/scene_at.h"
-#include "synthesis/effect.h"
+#include "shader/effect.h"
 
 namespace isomotion::page {
 namespace {
@@ -97,7 +97,7 @@ template<class Other> std::span<const float> floats_of(const Other&) {
 }
 
 // Appends the numbers of the effects' uniforms; tells their places.
-std::vector<Place> add_effects(const synthesis::Uniforms& uniforms, std::vector<float>& row) {
+std::vector<Place> add_effects(const shader::Uniforms& uniforms, std::vector<float>& row) {
     std::vector<Place> places;
     for (const auto& [name, value] : uniforms) {
         const auto before = row.size();
@@ -117,7 +117,7 @@ class Grids {
 public:
     explicit Grids(const WebSurface& web)
         : web_(web) {
-        if (const auto array = synthesis::array_with_grid(web.passes))
+        if (const auto array = shader::array_with_grid(web.passes))
             maker_ = elements::GridMaker::of(*web.one.surface.field, *array);
         // A texture of 1024 x 2048, which every WebGL2 has, holds as many.
         limits_.listed = 1 << 21;
@@ -170,7 +170,7 @@ public:
         const formula::Field& field = *one.surface.field;
         const scene::OneSurfaceAt now(scene, one.index);
         const scene::SurfaceAt& surface = now.surface;
-        const synthesis::Passes& passes = web_.passes;
+        const shader::Passes& passes = web_.passes;
         Row view;
         if (one.index == 0) add_camera(view, scene);
         add_surface(view, surface, by_cubics_ ? element_radius_.least(field, surface) : HUGE_VAL);
@@ -183,7 +183,7 @@ public:
         const auto shading = render::shading_block(one, now, largest_tile, largest_tile);
         values.shading.add(words_of(std::span<const float>(numbers_of(shading))));
         std::vector<float> effects;
-        values.effect_places = add_effects(synthesis::effect_uniforms(one, now), effects);
+        values.effect_places = add_effects(shader::effect_uniforms(one, now), effects);
         values.effects.add(words_of(std::span<const float>(effects)));
         for (std::size_t a = 0; a < passes.arrays.size(); ++a) {
             std::vector<glm::vec4> texels = render::array_texels(field, passes, surface, a);

@@ -8,7 +8,7 @@
 #include "page/description.h"
 #include "page/embedded_files.h"
 #include "page/html.h"
-#include "scene/unbounded.h"
+#include "probe/unbounded.h"
 
 namespace isomotion::page {
 namespace {
@@ -65,7 +65,7 @@ void warn_of_unbounded(const scene::Scene& scene, const PageOptions& options) {
     if (!options.warn) return;
     for (std::size_t k = 0; k < scene.surfaces.size(); ++k) {
         const scene::OneSurface one(scene, k);
-        const auto why = scene::why_unbounded(one, scene::surface_at(one, scene.timeline.time(1)));
+        const auto why = probe::why_unbounded(one, scene::surface_at(one, scene.timeline.time(1)));
         if (why) options.warn(*why);
     }
 }

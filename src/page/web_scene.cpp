@@ -8,9 +8,9 @@
 
 #include "scene/error.h"
 #include "scene/surfaces.h"
-#include "synthesis/assemble.h"
-#include "synthesis/inlined_size.h"
-#include "synthesis/surfaces_text.h"
+#include "shader/assemble.h"
+#include "shader/inlined_size.h"
+#include "shader/surfaces_text.h"
 
 namespace isomotion::page {
 namespace {
@@ -25,13 +25,13 @@ std::string count_of(const scene::OneSurface& one, int array) {
     return one.surface.animation.arrays()[std::size_t(array)].name + ".count";
 }
 
-void expect_few_elements(const scene::OneSurface& one, const synthesis::Passes& passes) {
+void expect_few_elements(const scene::OneSurface& one, const shader::Passes& passes) {
     constexpr const char* instead =
         "draw fewer (count), or share a movie (isomotion render --movie)";
     std::int64_t others = 0;
     int largest = 0; // of the others
     for (int k = 0; k < int(passes.arrays.size()); ++k) {
-        const synthesis::ArrayStorage& array = passes.arrays[std::size_t(k)];
+        const shader::ArrayStorage& array = passes.arrays[std::size_t(k)];
         if (array.has_grid && array.capacity > most_elements_by_place) {
             refuse(one, count_of(one, k),
                    fmt::format("the array has {} elements; a page shows at most {}: {}",
@@ -57,28 +57,28 @@ void expect_known(const scene::OneSurface& one) {
 }
 
 WebSurface web_surface(const scene::OneSurface& one) {
-    WebSurface web{one,
-                   synthesis::assemble(
-                       one, {}, {.platform = synthesis::Platform::webgl, .writes_buffers = false}),
-                   {}};
+    WebSurface web{
+        one,
+        shader::assemble(one, {}, {.platform = shader::Platform::webgl, .writes_buffers = false}),
+        {}};
     expect_few_elements(one, web.passes);
-    synthesis::check_size(web.passes);
+    shader::check_size(web.passes);
     web.plan = render::plan_scene(one, web.passes, largest_tile, largest_tile, largest_tile, {});
     if (web.plan.march.evaluations_per_pass <= 1)
-        web.passes = synthesis::without_fused_pass(std::move(web.passes));
+        web.passes = shader::without_fused_pass(std::move(web.passes));
     return web;
 }
 
 // Makes surfaces agree as render::plan_surfaces() does.
 void agree(std::vector<WebSurface>& surfaces) {
-    std::vector<synthesis::Passes*> passes;
+    std::vector<shader::Passes*> passes;
     render::MarchPlan& plan = surfaces.front().plan.march;
     for (WebSurface& one : surfaces) {
         passes.push_back(&one.passes);
         plan.tile_width = std::min(plan.tile_width, one.plan.march.tile_width);
         plan.tile_height = std::min(plan.tile_height, one.plan.march.tile_height);
     }
-    synthesis::agree_on_draws(passes);
+    shader::agree_on_draws(passes);
 }
 
 } // namespace

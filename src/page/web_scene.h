@@ -7,8 +7,8 @@
 
 #include "render/scene_plan.h"
 #include "scene/scene.h"
-#include "synthesis/beam_copies_text.h"
-#include "synthesis/pass.h"
+#include "shader/beam_copies_text.h"
+#include "shader/pass.h"
 
 namespace isomotion::page {
 
@@ -18,12 +18,12 @@ inline constexpr int most_elements = 1000, most_elements_by_place = 20'000;
 inline constexpr std::size_t most_value_bytes = 32'000'000;
 // Pixels along the sides of a tile, which one draw fills; this limits the time for which a browser
 // is blocked.
-inline constexpr int largest_tile = synthesis::tile_of_copies;
+inline constexpr int largest_tile = shader::tile_of_copies;
 
 // One surface of a scene, whose passes begin where those of the ones before have ended.
 struct WebSurface {
     scene::OneSurface one;
-    synthesis::Passes passes;
+    shader::Passes passes;
     render::ScenePlan plan; // of a tile
 };
 

@@ -106,7 +106,7 @@ public:
 
 private:
     std::optional<WindowPlace> place(const LiveScene* scene) const {
-        if (scene) return memory_.recall(scene::word_of(scene->session.scene())).window;
+        if (scene) return memory_.recall(scene::reload_argument(scene->session.scene())).window;
         return std::nullopt;
     }
 
@@ -138,7 +138,7 @@ private:
         Session& session = scene_->session;
         if (!session.look().camera) {
             Look look = session.look();
-            look.camera = memory_.recall(scene::word_of(session.scene())).camera;
+            look.camera = memory_.recall(scene::reload_argument(session.scene())).camera;
             session.set(look);
         }
         if (session.scene().formula.empty())
@@ -170,7 +170,7 @@ private:
 
     void remember() const {
         if (!scene_) return;
-        memory_.remember(scene::word_of(scene_->session.scene()),
+        memory_.remember(scene::reload_argument(scene_->session.scene()),
                          {window_.place(), scene_->session.look().camera});
     }
 

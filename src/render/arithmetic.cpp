@@ -14,8 +14,8 @@
 #include "gpu/program.h"
 #include "gpu/target.h"
 #include "render/doubles.h"
-#include "synthesis/shader_files.h"
-#include "synthesis/shader_text.h"
+#include "shader/shader_files.h"
+#include "shader/shader_text.h"
 
 namespace isomotion::render {
 namespace {
@@ -54,9 +54,7 @@ constexpr Question questions[] = {
 };
 
 // A vertex shader for a picture of one draw.
-std::string corners() {
-    return "#version 330 core\n" + synthesis::read_shader("probe/corners.vert");
-}
+std::string corners() { return "#version 330 core\n" + shader::read_shader("probe/corners.vert"); }
 
 std::string question_shader() {
     std::string main =
@@ -68,7 +66,7 @@ std::string question_shader() {
         main += fmt::format("    case {}: answer = {}; break;\n", k, questions[k].glsl);
     }
     main += "    }\n    answers = vec4(answer);\n}\n";
-    synthesis::ShaderText text;
+    shader::ShaderText text;
     text.file("probe/arithmetic.glsl");
     text.generated("questions", main);
     return text.text();
@@ -135,8 +133,8 @@ std::vector<Arguments> arguments_of(const Sweep& sweep) {
 }
 
 std::string sweep_shader(const Sweep& sweep) {
-    synthesis::ShaderText text;
-    for (const std::string& file : synthesis::kernel_files({sweep.kernel})) text.file(file);
+    shader::ShaderText text;
+    for (const std::string& file : shader::kernel_files({sweep.kernel})) text.file(file);
     text.generated("sweep", fmt::format("uniform sampler2D arguments;\n"
                                         "out vec4 results;\n"
                                         "void main() {{\n"

@@ -11,8 +11,8 @@
 #include "gpu/draw.h"
 #include "gpu/query.h"
 #include "gpu/target.h"
-#include "synthesis/shader_files.h"
-#include "synthesis/shader_text.h"
+#include "shader/shader_files.h"
+#include "shader/shader_text.h"
 
 namespace isomotion::render {
 namespace {
@@ -53,9 +53,9 @@ template<typename Run> double operations_a_second(const SpeedChains& chains, con
 
 } // namespace
 
-gpu::Program speed_program(synthesis::Stage stage, const SpeedChains& chains) {
-    const bool computes = stage == synthesis::Stage::compute;
-    synthesis::ShaderText text(stage);
+gpu::Program speed_program(shader::Stage stage, const SpeedChains& chains) {
+    const bool computes = stage == shader::Stage::compute;
+    shader::ShaderText text(stage);
     if (chains.fused && !computes) text.version(400);
     text.define("CHAINS", chains.chains);
     text.define("UNROLLED", chains.unrolled);
@@ -64,8 +64,7 @@ gpu::Program speed_program(synthesis::Stage stage, const SpeedChains& chains) {
     text.file_of_stage("probe/speed_fragment.glsl", "probe/speed_compute.glsl");
     const std::string name = "speed of arithmetic";
     if (computes) return gpu::Program::compute(text.text(), name);
-    return {"#version 330 core\n" + synthesis::read_shader("probe/corners.vert"), text.text(),
-            name};
+    return {"#version 330 core\n" + shader::read_shader("probe/corners.vert"), text.text(), name};
 }
 
 void set_rounds(const gpu::Program& program, int rounds) {
@@ -80,7 +79,7 @@ ArithmeticSpeed measure_arithmetic_speed() try {
     const gpu::Target target(size, size);
     ArithmeticSpeed speed;
     {
-        const gpu::Program program = speed_program(synthesis::Stage::fragment, chains);
+        const gpu::Program program = speed_program(shader::Stage::fragment, chains);
         const gpu::Fullscreen triangle;
         target.bind();
         speed.in_fragments = operations_a_second(chains, [&](int rounds) {
@@ -89,11 +88,11 @@ ArithmeticSpeed measure_arithmetic_speed() try {
         });
     }
     if (gpu::has_compute(gpu::Context::current()->info())) {
-        const gpu::Program program = speed_program(synthesis::Stage::compute, chains);
+        const gpu::Program program = speed_program(shader::Stage::compute, chains);
         gpu::bind_image(target.texture(0), 0);
         speed.in_compute = operations_a_second(chains, [&](int rounds) {
             set_rounds(program, rounds);
-            gpu::dispatch(glm::ivec2(size / synthesis::workgroup_side));
+            gpu::dispatch(glm::ivec2(size / shader::workgroup_side));
         });
     }
     return speed;

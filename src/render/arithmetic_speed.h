@@ -3,7 +3,7 @@
 
 #include "gpu/context.h"
 #include "gpu/program.h"
-#include "synthesis/stage.h"
+#include "shader/stage.h"
 
 namespace isomotion::render {
 
@@ -14,8 +14,8 @@ struct ArithmeticSpeed {
     double in_fragments = 0;
     double in_compute = 0; // 0 without compute shaders
 
-    double in(synthesis::Stage stage) const {
-        return stage == synthesis::Stage::fragment ? in_fragments : in_compute;
+    double in(shader::Stage stage) const {
+        return stage == shader::Stage::fragment ? in_fragments : in_compute;
     }
 };
 
@@ -38,7 +38,7 @@ struct SpeedChains {
 };
 
 // Throws gpu::CompileError.
-gpu::Program speed_program(synthesis::Stage stage, const SpeedChains& chains);
+gpu::Program speed_program(shader::Stage stage, const SpeedChains& chains);
 // Sets how often each invocation goes through its round, and makes the program the current one.
 void set_rounds(const gpu::Program& program, int rounds);
 

@@ -6,18 +6,18 @@
 
 #include "gpu/buffer.h"
 #include "render/pass_table.h"
-#include "synthesis/field_text.h"
+#include "shader/field_text.h"
 
 namespace isomotion::render {
 
 class ArrayBuffer {
 public:
     // `lists`: additional space, in elements, for lists of those that matter in beams.
-    ArrayBuffer(const synthesis::ArrayStorage& storage, int lists)
+    ArrayBuffer(const shader::ArrayStorage& storage, int lists)
         : name_(storage.name) {
         const std::size_t texels =
             std::size_t(storage.capacity + lists) * std::size_t(storage.texels);
-        if (storage.kind == synthesis::ArrayStorage::Kind::uniform_block) {
+        if (storage.kind == shader::ArrayStorage::Kind::uniform_block) {
             block_.emplace(texels * sizeof(glm::vec4));
         } else {
             buffer_.emplace(texels);

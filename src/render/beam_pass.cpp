@@ -15,9 +15,7 @@ namespace {
 int blocks_in(int length, int block) { return (length + block - 1) / block; }
 
 // Texels for squares of that many pixels, which are kept apart.
-int texels_apart(int length, int square) {
-    return blocks_in(length, square) * synthesis::beam_square;
-}
+int texels_apart(int length, int square) { return blocks_in(length, square) * shader::beam_square; }
 
 // Draws these blocks, whose squares are `side` blocks across; none beyond them.
 void draw_apart(const gpu::Fullscreen& triangle, const gpu::Rectangle& blocks, int side) {
@@ -25,8 +23,8 @@ void draw_apart(const gpu::Fullscreen& triangle, const gpu::Rectangle& blocks, i
     for (int y = blocks.y / side * side; y < top; y += side) {
         for (int x = blocks.x / side * side; x < right; x += side) {
             const int left = std::max(blocks.x - x, 0), low = std::max(blocks.y - y, 0);
-            gpu::set_viewport({x / side * synthesis::beam_square + left,
-                               y / side * synthesis::beam_square + low,
+            gpu::set_viewport({x / side * shader::beam_square + left,
+                               y / side * shader::beam_square + low,
                                std::min(side, right - x) - left, std::min(side, top - y) - low});
             triangle.draw();
         }
@@ -43,17 +41,16 @@ int blocks_of(const MarchPlan& tile, int block) {
 
 // Elements in one list of a level: what large blocks pass on, smaller ones go through. Where there
 // are few blocks there is room for more.
-int longest_list(const synthesis::BeamLevel& level, const MarchPlan& tile, int capacity) {
-    if (level.lists == synthesis::BeamLists::none) return 0;
+int longest_list(const shader::BeamLevel& level, const MarchPlan& tile, int capacity) {
+    if (level.lists == shader::BeamLists::none) return 0;
     constexpr int room = 1 << 21; // of a level
     const int lists = blocks_of(tile, level.block) * lists_of_a_block(level);
     return std::min(std::max(16 * level.block, room / lists), capacity);
 }
 
 // The part of the longest lists that a buffer of so many texels has room for behind `first`.
-double part_of_lists(const synthesis::Passes& passes, const MarchPlan& plan, int texels,
-                     int first) {
-    if (!synthesis::has_lists(passes)) return 0;
+double part_of_lists(const shader::Passes& passes, const MarchPlan& plan, int texels, int first) {
+    if (!shader::has_lists(passes)) return 0;
     const auto& array = passes.arrays[0];
     double wanted = 0;
     for (const auto& level : passes.beams) {
@@ -66,38 +63,37 @@ double part_of_lists(const synthesis::Passes& passes, const MarchPlan& plan, int
 
 } // namespace
 
-int evaluations_of_a_beam(const synthesis::Passes& passes, const formula::Field& field,
-                          synthesis::BeamLists lists) {
+int evaluations_of_a_beam(const shader::Passes& passes, const formula::Field& field,
+                          shader::BeamLists lists) {
     // Where lists are made for smaller blocks, these walk the rest of the way at a smaller price.
-    const double most = lists == synthesis::BeamLists::whole ? 8 : 64;
-    using synthesis::FieldFunction;
+    const double most = lists == shader::BeamLists::whole ? 8 : 64;
+    using shader::FieldFunction;
     const FieldFunction bounds =
         passes.tapes ? FieldFunction::value_interval : FieldFunction::value; // as many loops
-    const double sums =
-        synthesis::cost(field, passes, {bounds}, elements_by_place(passes)).iterations;
+    const double sums = shader::cost(field, passes, {bounds}, elements_by_place(passes)).iterations;
     const double fitting = 0.5 * loop_iterations_per_pass / (1 + sums);
-    return int(synthesis::has_lists(passes) ? most : std::min(most, fitting));
+    return int(shader::has_lists(passes) ? most : std::min(most, fitting));
 }
 
-BeamPass::BeamPass(const synthesis::Passes& passes, const scene::OneSurface& one,
+BeamPass::BeamPass(const shader::Passes& passes, const scene::OneSurface& one,
                    const MarchPlan& plan, int texels, int first_list)
-    : computes_(passes.stage == synthesis::Stage::compute) {
+    : computes_(passes.stage == shader::Stage::compute) {
     const double part = part_of_lists(passes, plan, texels, first_list);
     const int elements = passes.arrays.empty() ? 0 : passes.arrays[0].capacity;
-    const auto evaluations = [&](const synthesis::BeamLevel& level) {
+    const auto evaluations = [&](const shader::BeamLevel& level) {
         const int most = evaluations_of_a_beam(passes, *one.surface.field, level.lists);
         const bool ends_early = computes_ && level.by_models && !one.surface.isolation.certify;
         return ends_early ? std::min(most, most_pieces_in_compute) : most;
     };
-    for (const synthesis::BeamLevel& level : passes.beams) {
+    for (const shader::BeamLevel& level : passes.beams) {
         const int block = level.block, side = block << level.square_bits;
         const int length = int(part * longest_list(level, plan, elements));
         levels_.push_back(
             {gpu::Target(texels_apart(plan.target_width(), side),
                          texels_apart(plan.target_height(), side),
-                         level.by_models                ? 2
-                         : synthesis::has_lists(passes) ? 3
-                                                        : 1),
+                         level.by_models             ? 2
+                         : shader::has_lists(passes) ? 3
+                                                     : 1),
              block, level.square_bits, evaluations(level),
              glm::ivec3(first_list + listed_, length, blocks_in(plan.tile_width, block)),
              level.by_models});
@@ -134,8 +130,8 @@ Blocks BeamPass::blocks(const gpu::Rectangle& pixels, bool at_once) {
     };
     for (int y = low / side * side; y < top; y += side) {
         for (int x = left / side * side; x < right; x += side) {
-            const int texel_x = x / side * synthesis::beam_square;
-            const int texel_y = y / side * synthesis::beam_square;
+            const int texel_x = x / side * shader::beam_square;
+            const int texel_y = y / side * shader::beam_square;
             if (!at_once) read(texel_x, texel_y, side, side);
             const std::size_t first =
                 at_once ? std::size_t(texel_y) * std::size_t(row) + texel_x : 0;
@@ -159,7 +155,7 @@ void BeamPass::draw(PassTable& table, std::span<const glm::vec4> ranges,
                     double around) const {
     for (std::size_t k = 0; k < levels_.size(); ++k) {
         const Level& level = levels_[k];
-        const gpu::Program& program = table.program(synthesis::Role::beams, int(k));
+        const gpu::Program& program = table.program(shader::Role::beams, int(k));
         if (array) array->bind_for_lists();
         if (k > 0) bind(table, levels_[k - 1], "beam");
         program.set("beam", ranges[k]);

@@ -16,20 +16,20 @@
 #include "render/march_plan.h"
 #include "render/pass_table.h"
 #include "scene/scene.h"
-#include "synthesis/beam_text.h"
+#include "shader/beam_text.h"
 
 namespace isomotion::render {
 
 // The number of pieces that one beam evaluates: as many as fit into the loops of its shader, fewer
 // if it has long lists.
-int evaluations_of_a_beam(const synthesis::Passes& passes, const formula::Field& field,
-                          synthesis::BeamLists lists);
+int evaluations_of_a_beam(const shader::Passes& passes, const formula::Field& field,
+                          shader::BeamLists lists);
 
 class BeamPass {
 public:
     // For tiles as planned. Lists of elements start at element `first_list` of the array's buffer
     // and extend to its `texels`.
-    BeamPass(const synthesis::Passes& passes, const scene::OneSurface& one, const MarchPlan& plan,
+    BeamPass(const shader::Passes& passes, const scene::OneSurface& one, const MarchPlan& plan,
              int texels, int first_list);
 
     // The total number of elements in its lists.

@@ -17,8 +17,8 @@
 #include "gpu/draw.h"
 #include "gpu/program.h"
 #include "gpu/target.h"
-#include "synthesis/shader_files.h"
-#include "synthesis/shader_text.h"
+#include "shader/shader_files.h"
+#include "shader/shader_text.h"
 
 namespace isomotion::render {
 namespace {
@@ -160,7 +160,7 @@ std::string probe() {
         cases += fmt::format("    if (k == {}) return {};\n", k,
                              formula::glsl_double_literal(literals[k]));
     }
-    synthesis::ShaderText text;
+    shader::ShaderText text;
     text.version(400);
     text.define("LITERALS", int(literals.size()));
     text.generated("constants as formulas have them",
@@ -199,7 +199,7 @@ bool is_asked_for(std::size_t operation, const Pair& of) {
 } // namespace
 
 std::string fault_of_doubles(int first_unit) {
-    const gpu::Program program("#version 330 core\n" + synthesis::read_shader("probe/corners.vert"),
+    const gpu::Program program("#version 330 core\n" + shader::read_shader("probe/corners.vert"),
                                probe(), "doubles");
     const std::vector<Pair> pairs = operands();
     const gpu::Texture first = texture_of(pairs, &Pair::a), second = texture_of(pairs, &Pair::b);

@@ -44,9 +44,9 @@ struct TapeBuffers {
 class FieldBuffers {
 public:
     // `listed`: space, in elements, for the lists behind each array that has lists.
-    FieldBuffers(const synthesis::FieldStorage& storage, int listed)
+    FieldBuffers(const shader::FieldStorage& storage, int listed)
         : parameters_(std::size_t(storage.vectors()) * 16)
-        , has_lists_(synthesis::has_lists(storage)) {
+        , has_lists_(shader::has_lists(storage)) {
         for (const auto& array : storage.arrays) {
             arrays_.emplace_back(array, array.has_lists ? listed : 0);
         }

@@ -10,8 +10,8 @@
 
 #include "render/light_beams.h"
 #include "scene/near_elements.h"
-#include "synthesis/effect.h"
-#include "synthesis/tape_text.h"
+#include "shader/effect.h"
+#include "shader/tape_text.h"
 
 namespace isomotion::render {
 namespace {
@@ -48,7 +48,7 @@ void add(base::Fingerprint& print, const ViewInputs& view) {
     print.add_values(std::span<const glm::vec4>(beams));
 }
 
-void add(base::Fingerprint& print, const synthesis::Uniforms& uniforms) {
+void add(base::Fingerprint& print, const shader::Uniforms& uniforms) {
     for (const auto& [name, value] : uniforms) {
         print.add(name);
         std::visit(
@@ -135,7 +135,7 @@ formula::TapeCells tapes_of(const scene::SurfaceAt& at, const InputLayout& layou
 
 FieldInputs field_inputs(const formula::Field& field, const scene::SurfaceAt& at,
                          const InputLayout& layout) {
-    const synthesis::Passes& passes = layout.passes;
+    const shader::Passes& passes = layout.passes;
     FieldInputs made;
     if (layout.grid) made.grid = grid_of(*layout.grid, at, layout);
     if (passes.tapes) made.tapes = tapes_of(at, layout);
@@ -155,7 +155,7 @@ std::shared_ptr<const elements::ElementGrid> grid(const SurfaceInputs& inputs) {
 }
 
 ViewInputs view_inputs(const scene::OneSurface& one, const scene::OneSurfaceAt& now, int width,
-                       int height, const scene::Aim& aim, const synthesis::Passes& passes,
+                       int height, const scene::Aim& aim, const shader::Passes& passes,
                        ElementRadius* element_radius) {
     const bool by_cubics =
         scene::traits(one.surface.isolation.method).steps == scene::Steps::cubics;
@@ -165,7 +165,7 @@ ViewInputs view_inputs(const scene::OneSurface& one, const scene::OneSurfaceAt& 
     if (passes.tapes && passes.tapes->chooses())
         radius = std::min(radius, 2 * longest_piece_of_tapes(now.surface.bounds));
     ViewInputs view{frame_block(one, now, width, height, aim, radius), {}};
-    for (const synthesis::BeamLevel& level : passes.beams) {
+    for (const shader::BeamLevel& level : passes.beams) {
         view.beams.push_back(beam_range(now, width, height, aim, level.block));
     }
     return view;
@@ -202,18 +202,18 @@ std::shared_ptr<const FieldInputs> SharedField::at(const formula::Field& field,
 SurfaceInputs surface_inputs(const scene::OneSurface& one, const scene::OneSurfaceAt& now,
                              const scene::Aim& aim, const Motion* motion, const InputLayout& layout,
                              ElementRadius& element_radius, SharedField& field) {
-    const synthesis::Passes& passes = layout.passes;
+    const shader::Passes& passes = layout.passes;
     const formula::Field& formula = *one.surface.field;
     const int width = layout.width, height = layout.height;
     SurfaceInputs inputs;
     inputs.eye = view_inputs(one, now, width, height, aim, passes, &element_radius);
     inputs.field = field.at(formula, now.surface, layout);
     inputs.shading = shading_block(one, now, width, height);
-    inputs.effects = synthesis::effect_uniforms(one, now);
+    inputs.effects = shader::effect_uniforms(one, now);
     if (passes.light_beams != 0) {
         inputs.lights = light_inputs(one, now, passes, layout.light_pixels);
     }
-    if (passes.has(synthesis::Role::proof)) {
+    if (passes.has(shader::Role::proof)) {
         inputs.proofs = proof_rays(one, now, width, height, aim);
     }
     if (motion) {

@@ -23,8 +23,8 @@
 #include "render/uniform_blocks.h"
 #include "scene/rays.h"
 #include "scene/scene_at.h"
-#include "synthesis/pass.h"
-#include "synthesis/uniform.h"
+#include "shader/pass.h"
+#include "shader/uniform.h"
 
 namespace isomotion::render {
 
@@ -60,7 +60,7 @@ struct SurfaceInputs {
     ViewInputs eye;
     std::shared_ptr<const FieldInputs> field; // shared by pictures of one time
     std::vector<glm::vec4> shading;           // block Shading
-    synthesis::Uniforms effects;
+    shader::Uniforms effects;
     std::vector<LightInputs> lights;
     std::optional<ProofRays> proofs;
     std::optional<MotionInputs> motion;
@@ -98,7 +98,7 @@ struct FrameInputs {
 
 // What inputs depend on besides the scene and the time.
 struct InputLayout {
-    const synthesis::Passes& passes;
+    const shader::Passes& passes;
     int width = 0, height = 0;
     int light_pixels = 0; // pixels along the sides of lights' pictures
     // For the array whose elements are found by place, otherwise null.
@@ -111,7 +111,7 @@ struct InputLayout {
 
 // `element_radius`: for rays that march by cubics, otherwise null.
 ViewInputs view_inputs(const scene::OneSurface& one, const scene::OneSurfaceAt& now, int width,
-                       int height, const scene::Aim& aim, const synthesis::Passes& passes,
+                       int height, const scene::Aim& aim, const shader::Passes& passes,
                        ElementRadius* element_radius);
 
 // The field's values made last, reused for pictures with the same elements and parameters.

@@ -6,7 +6,7 @@
 
 namespace isomotion::render {
 
-using synthesis::Channel, synthesis::Role;
+using shader::Channel, shader::Role;
 
 void clear_to_misses(const gpu::Target& target, const std::vector<Channel>& channels,
                      glm::vec4 background) {

@@ -17,7 +17,7 @@ namespace isomotion::render {
 
 // Makes a target with colour, record and these channels what shaders write of rays that end on
 // nothing before they are marched.
-void clear_to_misses(const gpu::Target& target, const std::vector<synthesis::Channel>& channels,
+void clear_to_misses(const gpu::Target& target, const std::vector<shader::Channel>& channels,
                      glm::vec4 background);
 
 class FusedPass : public OneDraw {

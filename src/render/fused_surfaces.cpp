@@ -6,7 +6,7 @@
 
 namespace isomotion::render {
 
-using synthesis::Role;
+using shader::Role;
 
 FusedSurfaces::FusedSurfaces(std::vector<SurfacePasses*> all, const gpu::Target& result,
                              std::vector<gpu::Format> formats)

@@ -3,14 +3,14 @@
 namespace isomotion::render {
 namespace {
 
-using synthesis::Role;
+using shader::Role;
 
 constexpr int path_attachments = 4;    // shaders/glass/path.glsl
 constexpr int surface_attachments = 3; // shaders/effects/surface_point.glsl
 
 } // namespace
 
-GlassPaths::GlassPaths(const synthesis::Passes& passes, const MarchPlan& tile, int depth)
+GlassPaths::GlassPaths(const shader::Passes& passes, const MarchPlan& tile, int depth)
     : depth_(depth)
     , rays_(passes, tile)
     , kept_(tile.target_width(), tile.target_height(), path_attachments)

@@ -15,7 +15,7 @@ namespace isomotion::render {
 class GlassPaths {
 public:
     // `depth`: the number of rays after the primary ray.
-    GlassPaths(const synthesis::Passes& passes, const MarchPlan& tile, int depth);
+    GlassPaths(const shader::Passes& passes, const MarchPlan& tile, int depth);
 
     // Follows the paths that begin where the eye's rays ended; these are bound as surface textures
     // and as state textures. Binds the resulting light. Adds its draws to `draws`.

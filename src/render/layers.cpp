@@ -5,7 +5,7 @@
 
 namespace isomotion::render {
 
-bool Layers::wants(synthesis::Channel channel) const {
+bool Layers::wants(shader::Channel channel) const {
     return std::ranges::find(wanted_, channel) != wanted_.end();
 }
 
@@ -22,16 +22,16 @@ image::Frame Layers::blank(int width, int height, image::Frame memory) const {
         blank.channels.push_back({std::string(name), std::move(samples)});
     };
     for (const char* name : {"R", "G", "B", "A"}) add(name);
-    for (const auto& entry : synthesis::channel_names()) {
+    for (const auto& entry : shader::channel_names()) {
         if (!wants(entry.channel)) continue;
         for (const auto layer : entry.layers) add(layer);
     }
     return blank;
 }
 
-std::vector<image::Channel*> Layers::of(image::Frame& frame, synthesis::Channel channel) {
+std::vector<image::Channel*> Layers::of(image::Frame& frame, shader::Channel channel) {
     std::vector<image::Channel*> targets;
-    for (const auto& entry : synthesis::channel_names()) {
+    for (const auto& entry : shader::channel_names()) {
         if (entry.channel != channel) continue;
         for (const auto layer : entry.layers) {
             const auto it = std::ranges::find(frame.channels, layer, &image::Channel::name);

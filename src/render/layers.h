@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "image/frame.h"
-#include "synthesis/channel.h"
+#include "shader/channel.h"
 
 namespace isomotion::render {
 
@@ -13,16 +13,16 @@ class Layers {
 public:
     // Layers of frames with the channels `wanted` besides R, G, B and A. `attachments`: those that
     // the shade pass writes, from its third attachment on.
-    Layers(std::vector<synthesis::Channel> wanted, std::vector<synthesis::Channel> attachments)
+    Layers(std::vector<shader::Channel> wanted, std::vector<shader::Channel> attachments)
         : wanted_(std::move(wanted))
         , attachments_(std::move(attachments)) {}
 
-    bool wants(synthesis::Channel channel) const;
+    bool wants(shader::Channel channel) const;
     // Reuses `memory` as far as possible, since allocating fresh memory takes as long as reading
     // back.
     image::Frame blank(int width, int height, image::Frame memory) const;
     // The layers of a channel, component by component; null if the frame has none.
-    static std::vector<image::Channel*> of(image::Frame& frame, synthesis::Channel channel);
+    static std::vector<image::Channel*> of(image::Frame& frame, shader::Channel channel);
     // Calls `visit` for each attachment with channels in it, and passes the channels of its
     // components.
     void for_each_attachment(
@@ -31,7 +31,7 @@ public:
         const;
 
 private:
-    std::vector<synthesis::Channel> wanted_, attachments_;
+    std::vector<shader::Channel> wanted_, attachments_;
 };
 
 } // namespace isomotion::render

@@ -45,7 +45,7 @@ int light_pixels(int width, int height) {
 }
 
 std::vector<LightInputs> light_inputs(const scene::OneSurface& one, const scene::OneSurfaceAt& now,
-                                      const synthesis::Passes& passes, int pixels) {
+                                      const shader::Passes& passes, int pixels) {
     std::vector<LightInputs> inputs;
     for (std::size_t k = 0; k < now.scene.lights.size(); ++k) {
         if ((passes.light_beams >> k & 1) == 0) continue;
@@ -57,7 +57,7 @@ std::vector<LightInputs> light_inputs(const scene::OneSurface& one, const scene:
     return inputs;
 }
 
-LightBeams::LightBeams(const synthesis::Passes& passes, const scene::OneSurface& one, int pixels,
+LightBeams::LightBeams(const shader::Passes& passes, const scene::OneSurface& one, int pixels,
                        int texels, int first_list)
     : most_pixels_(pixels)
     , beams_(passes, one, {pixels, pixels * int(one.scene.lights.size()), 0}, texels, first_list)
@@ -76,8 +76,7 @@ void LightBeams::draw(PassTable& table, const std::vector<LightInputs>& lights, 
                   &to_light_[std::size_t(4 * light.light)]);
     }
     bind(table);
-    table.program(synthesis::Role::shadow)
-        .set("light_views", std::span<const glm::vec4>(to_light_));
+    table.program(shader::Role::shadow).set("light_views", std::span<const glm::vec4>(to_light_));
 }
 
 } // namespace isomotion::render

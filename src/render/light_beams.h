@@ -14,15 +14,15 @@ int light_pixels(int width, int height);
 
 // Inputs for the pictures of all lights that have one.
 std::vector<LightInputs> light_inputs(const scene::OneSurface& one, const scene::OneSurfaceAt& now,
-                                      const synthesis::Passes& passes, int pixels);
+                                      const shader::Passes& passes, int pixels);
 
 class LightBeams {
 public:
     // For passes with light beams (Passes::light_beams), drawn by the programs of the eye's beams.
     // Pictures of lights have at most so many pixels per side. Lists of elements start at
     // `first_list`.
-    LightBeams(const synthesis::Passes& passes, const scene::OneSurface& one, int pixels,
-               int texels, int first_list);
+    LightBeams(const shader::Passes& passes, const scene::OneSurface& one, int pixels, int texels,
+               int first_list);
 
     int listed() const { return beams_.listed(); }
     int most_pixels() const { return most_pixels_; }

@@ -4,12 +4,12 @@
 
 #include "render/open_squares.h"
 #include "scene/surfaces.h"
-#include "synthesis/paths_text.h"
+#include "shader/paths_text.h"
 
 namespace isomotion::render {
 namespace {
 
-using synthesis::Role;
+using shader::Role;
 
 constexpr int textures_of_paths = 5;     // shaders/paths/path.glsl
 constexpr int textures_of_path_ends = 4; // shaders/surfaces/nearest.glsl
@@ -155,7 +155,7 @@ void LightPaths::trace(const gpu::Target& eye_ends, const gpu::Rectangle& tile,
     begin(eye_ends, tile, environment);
     // Crossings of bounds are no rays of the depth, and the last one ends a path.
     const int most =
-        scene::depth_of_matters(all_.front()->drawn.scene) + synthesis::most_crossings + 1;
+        scene::depth_of_matters(all_.front()->drawn.scene) + shader::most_crossings + 1;
     for (int ray = 0; ray <= most && any_goes_on(tile); ++ray) {
         const gpu::Scissor in_area(around_in_targets());
         find_ends(tile, draws);

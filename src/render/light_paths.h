@@ -42,7 +42,7 @@ private:
                const gpu::Texture* environment);
     gpu::Rectangle around_in_targets() const;
     bool any_goes_on(const gpu::Rectangle& tile);
-    void draw_open(SurfacePasses& one, synthesis::Role role, const gpu::Rectangle& tile);
+    void draw_open(SurfacePasses& one, shader::Role role, const gpu::Rectangle& tile);
     void find_ends(const gpu::Rectangle& tile, int& draws);
     void look_beyond(const gpu::Target& ends, const gpu::Rectangle& tile);
     void go_on(const gpu::Rectangle& tile, const gpu::Texture* environment);

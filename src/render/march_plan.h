@@ -10,7 +10,7 @@
 #include <glm/vec2.hpp>
 
 #include "formula/graph/program.h"
-#include "synthesis/loop_limit.h"
+#include "shader/loop_limit.h"
 
 namespace isomotion::render {
 
@@ -31,7 +31,7 @@ struct MarchPlan {
     int target_height() const;
 };
 
-using synthesis::loop_iterations_per_pass;
+using shader::loop_iterations_per_pass;
 // Arithmetic operations in one draw: about a second on two cores with a software renderer.
 inline constexpr double operations_per_draw = 1e10;
 // For hardware that does so many operations a second in this stage (0: not known), at the

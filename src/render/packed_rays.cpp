@@ -2,17 +2,17 @@
 
 #include <algorithm>
 
-#include "synthesis/proof_text.h"
+#include "shader/proof_text.h"
 
 namespace isomotion::render {
 namespace {
 
 constexpr int square_side = 4; // software renderers go through the pixels of a square in step
 constexpr int in_square = square_side * square_side;
-static_assert(square_side == synthesis::proved_block);
+static_assert(square_side == shader::proved_block);
 
 constexpr int floats_of_ray = 8; // in the list
-constexpr int floats_of_row = 4 * synthesis::open_list_across;
+constexpr int floats_of_row = 4 * shader::open_list_across;
 
 constexpr int quotient_up(int count, int by) { return (count + by - 1) / by; }
 
@@ -45,7 +45,7 @@ glm::ivec2 packed_squares(int squares) {
 }
 
 PackedRays::PackedRays(int width, int height)
-    : list_(gpu::Format::rgba32f, synthesis::open_list_across,
+    : list_(gpu::Format::rgba32f, shader::open_list_across,
             quotient_up(floats_of_ray * in_square * most_squares(width, height), floats_of_row))
     , target_(square_side * most_across(least_side(most_squares(width, height))),
               square_side * least_side(most_squares(width, height))) {}

@@ -11,24 +11,23 @@ namespace isomotion::render {
 namespace {
 
 // What fills a block of a pass. Proofs see bounds that are wider by what rounding may do.
-std::string block_for(const synthesis::Pass& pass, const std::string& block) {
-    return block == "Frame" && synthesis::is_proof(pass.role) ? "ProofFrame" : block;
+std::string block_for(const shader::Pass& pass, const std::string& block) {
+    return block == "Frame" && shader::is_proof(pass.role) ? "ProofFrame" : block;
 }
 
-gpu::Program compiled(const synthesis::Pass& pass) {
-    return pass.stage == synthesis::Stage::compute
-               ? gpu::Program::compute(pass.text, pass.name)
-               : gpu::Program(pass.vertex, pass.text, pass.name);
+gpu::Program compiled(const shader::Pass& pass) {
+    return pass.stage == shader::Stage::compute ? gpu::Program::compute(pass.text, pass.name)
+                                                : gpu::Program(pass.vertex, pass.text, pass.name);
 }
 
 // Runs the compute shader in use, one invocation for each place, with its images in `target`.
 void dispatch(glm::ivec2 places, const gpu::Target& target) {
     for (int k = 0; k < target.attachments(); ++k) gpu::bind_image(target.texture(k), k);
-    gpu::dispatch((places + synthesis::workgroup_side - 1) / synthesis::workgroup_side);
+    gpu::dispatch((places + shader::workgroup_side - 1) / shader::workgroup_side);
 }
 
-void set_on(const gpu::Program& program, const synthesis::Uniforms& uniforms) {
-    for (const synthesis::Uniform& uniform : uniforms) {
+void set_on(const gpu::Program& program, const shader::Uniforms& uniforms) {
+    for (const shader::Uniform& uniform : uniforms) {
         std::visit(
             [&](const auto& value) {
                 using Value = std::decay_t<decltype(value)>;
@@ -44,10 +43,10 @@ void set_on(const gpu::Program& program, const synthesis::Uniforms& uniforms) {
 
 } // namespace
 
-PassTable::PassTable(const synthesis::Passes& passes)
+PassTable::PassTable(const shader::Passes& passes)
     : passes_(passes)
     , programs_(passes.list.size()) {
-    for (const synthesis::Pass& pass : passes.list) {
+    for (const shader::Pass& pass : passes.list) {
         for (const auto& sampler : pass.samplers) units_.emplace(sampler, int(units_.size()));
         for (const auto& block : pass.blocks) {
             bindings_.emplace(block_for(pass, block), int(bindings_.size()));
@@ -60,18 +59,18 @@ PassTable::PassTable(const synthesis::Passes& passes)
                                             units_.size(), most));
     }
     for (std::size_t k = 0; k < passes.list.size(); ++k) {
-        if (!synthesis::is_exceptional(passes.list[k].when)) compile(k);
+        if (!shader::is_exceptional(passes.list[k].when)) compile(k);
     }
 }
 
 void PassTable::compile(std::size_t index) {
-    const synthesis::Pass& pass = passes_.list[index];
+    const shader::Pass& pass = passes_.list[index];
     programs_[index] = compiled(pass);
     connect(pass, *programs_[index]);
     set_on(*programs_[index], uniforms_);
 }
 
-void PassTable::connect(const synthesis::Pass& pass, const gpu::Program& program) const {
+void PassTable::connect(const shader::Pass& pass, const gpu::Program& program) const {
     for (const auto& sampler : pass.samplers) {
         program.bind_sampler(sampler, units_.find(sampler)->second);
     }
@@ -80,13 +79,13 @@ void PassTable::connect(const synthesis::Pass& pass, const gpu::Program& program
     }
 }
 
-const gpu::Program& PassTable::program(synthesis::Role role, int level) {
+const gpu::Program& PassTable::program(shader::Role role, int level) {
     const auto index = std::size_t(&passes_.at(role, level) - passes_.list.data());
     if (!programs_[index]) compile(index);
     return *programs_[index];
 }
 
-void PassTable::set(const synthesis::Uniforms& uniforms) {
+void PassTable::set(const shader::Uniforms& uniforms) {
     uniforms_ = uniforms;
     for (const auto& program : programs_) {
         if (program) set_on(*program, uniforms_);
@@ -173,11 +172,11 @@ void PassTable::march(const gpu::Program& program, const gpu::Rectangle& tile,
 
 void PassTable::march_untimed(const gpu::Program& program, const gpu::Rectangle& tile,
                               const gpu::Target& target, const gpu::Rectangles* parts) const {
-    if (passes_.stage == synthesis::Stage::fragment && parts) {
+    if (passes_.stage == shader::Stage::fragment && parts) {
         target.bind();
         return draw(program, tile, *parts);
     }
-    if (passes_.stage == synthesis::Stage::fragment) return draw(program, tile, target);
+    if (passes_.stage == shader::Stage::fragment) return draw(program, tile, target);
     const glm::ivec2 size(tile.width, tile.height);
     program.set("tile_origin", glm::ivec2(tile.x, tile.y));
     program.set("tile_size", size);

@@ -3,7 +3,7 @@
 //
 // Each sampler name has one texture unit and each block one binding. This class alone assigns them,
 // in the order in which the passes declare them. Passes that are rarely needed
-// (synthesis::is_exceptional) are compiled when they are first used.
+// (shader::is_exceptional) are compiled when they are first used.
 #pragma once
 
 #include <map>
@@ -20,8 +20,8 @@
 #include "gpu/squares.h"
 #include "gpu/target.h"
 #include "render/ray_clock.h"
-#include "synthesis/pass.h"
-#include "synthesis/uniform.h"
+#include "shader/pass.h"
+#include "shader/uniform.h"
 
 namespace isomotion::render {
 
@@ -29,13 +29,13 @@ class PassTable {
 public:
     // `passes` must outlive it. Throws gpu::CompileError, and std::length_error if the passes read
     // more textures than there are units.
-    explicit PassTable(const synthesis::Passes& passes);
+    explicit PassTable(const shader::Passes& passes);
 
-    bool has(synthesis::Role role) const { return passes_.has(role); }
-    const gpu::Program& program(synthesis::Role role, int level = 0);
+    bool has(shader::Role role) const { return passes_.has(role); }
+    const gpu::Program& program(shader::Role role, int level = 0);
 
     // Sets these uniforms in every program, including those compiled later.
-    void set(const synthesis::Uniforms& uniforms);
+    void set(const shader::Uniforms& uniforms);
 
     // Binds textures that the passes read by these names; "state_texture" is numbered from 0.
     void bind(std::string_view sampler, const gpu::Texture& texture) const;
@@ -76,7 +76,7 @@ public:
     void draw(const gpu::Program& program, const gpu::Rectangle& tile) const;
     void draw(const gpu::Program& program, const gpu::Rectangle& tile,
               const gpu::Target& target) const;
-    // The same over rectangles in that area, for passes that are drawn so (synthesis::Cover).
+    // The same over rectangles in that area, for passes that are drawn so (shader::Cover).
     void draw(const gpu::Program& program, const gpu::Rectangle& tile,
               const gpu::Rectangles& parts) const;
     // Runs one of a pass over squares, which may reach over the tile's upper and right edges.
@@ -108,13 +108,13 @@ private:
     using Numbers = std::map<std::string, int, std::less<>>;
 
     void compile(std::size_t index);
-    void connect(const synthesis::Pass& pass, const gpu::Program& program) const;
+    void connect(const shader::Pass& pass, const gpu::Program& program) const;
 
-    const synthesis::Passes& passes_;
+    const shader::Passes& passes_;
     std::vector<std::optional<gpu::Program>> programs_; // indexed as passes_.list
     Numbers units_, bindings_;
     std::map<std::string, const gpu::UniformBuffer*, std::less<>> bound_;
-    synthesis::Uniforms uniforms_; // as set last
+    shader::Uniforms uniforms_; // as set last
     gpu::Fullscreen triangle_;
     glm::ivec2 corner_{0};
     RayClock* clock_ = nullptr;

@@ -7,7 +7,7 @@
 namespace isomotion::render {
 namespace {
 
-using synthesis::Channel, synthesis::Role;
+using shader::Channel, shader::Role;
 
 // What the way from t on this surface's ray to t on the first one's and back may round: distances
 // from the eye and between the planes where t is 0, some ten times each at most

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "scene/ray_rounding.h"
-#include "synthesis/proof_text.h"
+#include "shader/proof_text.h"
 
 namespace isomotion::render {
 namespace {
@@ -26,8 +26,8 @@ ProofRays proof_rays(const scene::OneSurface& one, const scene::OneSurfaceAt& no
     const scene::Rays rays = scene::rays(now, width, height, aim);
     const double footprint = 2 * glm::length(rays.up) / height;
     ProofRays found;
-    found.beam = beam_range(now, width, height, aim, synthesis::proved_block);
-    found.coarse_beam = beam_range(now, width, height, aim, synthesis::coarse_proved_block);
+    found.beam = beam_range(now, width, height, aim, shader::proved_block);
+    found.coarse_beam = beam_range(now, width, height, aim, shader::coarse_proved_block);
     // The ends of a ray's part are off by what its beam's pieces are.
     const double margin = found.beam.w, rounding = margin / beam_roundings;
     const scene::RayRounding of_rays =

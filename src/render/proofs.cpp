@@ -8,17 +8,17 @@
 #include "render/doubles.h"
 #include "render/proved_blocks.h"
 #include "render/scene_plan.h"
-#include "synthesis/proof_text.h"
+#include "shader/proof_text.h"
 
 namespace isomotion::render {
 namespace {
 
-using synthesis::ProofBounds, synthesis::Role;
+using shader::ProofBounds, shader::Role;
 
 // Elements that a piece goes through.
-std::vector<int> elements_of_piece(const synthesis::Passes& passes) {
+std::vector<int> elements_of_piece(const shader::Passes& passes) {
     std::vector<int> counts = elements_by_place(passes);
-    if (const auto array = synthesis::array_with_grid(passes)) {
+    if (const auto array = shader::array_with_grid(passes)) {
         constexpr int cells = 4; // that a piece meets
         int& elements = counts[std::size_t(*array)];
         elements = std::min(cells * elements, passes.arrays[std::size_t(*array)].capacity);
@@ -26,9 +26,9 @@ std::vector<int> elements_of_piece(const synthesis::Passes& passes) {
     return counts;
 }
 
-formula::Cost cost_of_piece(const synthesis::Passes& passes, const scene::OneSurface& one,
+formula::Cost cost_of_piece(const shader::Passes& passes, const scene::OneSurface& one,
                             ProofBounds bounds) {
-    return synthesis::cost_of_piece(*one.surface.field, passes, bounds, elements_of_piece(passes));
+    return shader::cost_of_piece(*one.surface.field, passes, bounds, elements_of_piece(passes));
 }
 
 bool fits_a_shader(const formula::Cost& piece) {
@@ -63,7 +63,7 @@ int pieces_of_packing(const formula::Cost& piece, std::size_t rays) {
     return rays <= few ? 16 : is_dear ? 2 : 8;
 }
 
-int blocks_across(int pixels, int block = synthesis::proved_block) {
+int blocks_across(int pixels, int block = shader::proved_block) {
     return (pixels + block - 1) / block;
 }
 
@@ -92,7 +92,7 @@ void set_thickness(const gpu::Program& program, const RayThickness& thickness) {
 
 } // namespace
 
-Proofs::Proofs(const synthesis::Passes& passes, const scene::OneSurface& one, const MarchPlan& plan,
+Proofs::Proofs(const shader::Passes& passes, const scene::OneSurface& one, const MarchPlan& plan,
                bool in_doubles)
     : passes_(passes)
     , drawn_(one)
@@ -100,11 +100,11 @@ Proofs::Proofs(const synthesis::Passes& passes, const scene::OneSurface& one, co
     , block_pieces_(std::min(
           most_pieces_of_block,
           pieces_of_draw(
-              synthesis::cost_of_block_piece(*one.surface.field, passes, elements_of_piece(passes)),
+              shader::cost_of_block_piece(*one.surface.field, passes, elements_of_piece(passes)),
               double(blocks_across(plan.tile_width)) * blocks_across(plan.tile_height))))
     , natural_{Role::proof, cost_that_fits(cost_of_piece(passes, one, ProofBounds::natural))}
-    , of_coarse_blocks_(blocks_across(plan.tile_width, synthesis::coarse_proved_block),
-                        blocks_across(plan.tile_height, synthesis::coarse_proved_block))
+    , of_coarse_blocks_(blocks_across(plan.tile_width, shader::coarse_proved_block),
+                        blocks_across(plan.tile_height, shader::coarse_proved_block))
     , of_blocks_(blocks_across(plan.tile_width), blocks_across(plan.tile_height))
     , block_mask_(of_blocks_)
     , frame_(sizeof(FrameBlock))
@@ -134,13 +134,13 @@ void Proofs::prove_blocks(PassTable& table, const gpu::Rectangle& tile) {
     };
     if (passes_.has(Role::coarse_block_proof)) {
         of_coarse_blocks_.bind();
-        draw_blocks(Role::coarse_block_proof, synthesis::coarse_proved_block);
+        draw_blocks(Role::coarse_block_proof, shader::coarse_proved_block);
         table.bind("coarse_block_texture", of_coarse_blocks_.texture(0));
     }
-    const auto prove = [&] { draw_blocks(Role::block_proof, synthesis::proved_block); };
+    const auto prove = [&] { draw_blocks(Role::block_proof, shader::proved_block); };
     if (passes_.has(Role::block_mask)) {
         block_mask_.set_and_paint(of_blocks_,
-                                  [&] { draw_blocks(Role::block_mask, synthesis::proved_block); });
+                                  [&] { draw_blocks(Role::block_mask, shader::proved_block); });
         block_mask_.apply(prove);
     } else {
         of_blocks_.bind();
@@ -158,7 +158,7 @@ void Proofs::prove_rays(PassTable& table, const Pieces& by, const RayThickness& 
     set_thickness(program, thickness);
     // A ray that had all its pieces has nothing to prove. Where elements are found by place a pass
     // may end after any piece.
-    const bool by_place = synthesis::array_with_grid(passes_).has_value();
+    const bool by_place = shader::array_with_grid(passes_).has_value();
     for (int left = most_pieces; left > 0 && !open.empty(); again = false) {
         const auto at_once = std::min(open.size(), std::size_t(PackedRays::most));
         const int pieces = std::min(pieces_of_draw(by.cost, double(at_once)),

@@ -35,7 +35,7 @@ public:
     // Passes and scene must outlive it. `in_doubles`: undecided rays may be tried again in doubles,
     // if the driver's can be trusted. Throws std::length_error if the formula sums too many terms
     // for a shader.
-    Proofs(const synthesis::Passes& passes, const scene::OneSurface& one, const MarchPlan& plan,
+    Proofs(const shader::Passes& passes, const scene::OneSurface& one, const MarchPlan& plan,
            bool in_doubles);
 
     // Proves the rays of a tile whose picture is drawn. `endings`: shaders/proof/ending.glsl.
@@ -47,7 +47,7 @@ public:
 private:
     // A pass of single rays' proofs, with the cost of a piece.
     struct Pieces {
-        synthesis::Role role;
+        shader::Role role;
         formula::Cost cost;
     };
     void upload(PassTable& table, const ProofRays& rays);
@@ -64,7 +64,7 @@ private:
     void prove_rays(PassTable& table, const Pieces& by, const RayThickness& thickness, bool again,
                     std::vector<std::uint32_t> open, OpenRays& rays, const gpu::Rectangle& tile);
 
-    const synthesis::Passes& passes_;
+    const shader::Passes& passes_;
     scene::OneSurface drawn_;
     bool may_take_doubles_;
     int block_pieces_; // limit on pieces

@@ -2,12 +2,12 @@
 
 #include <algorithm>
 
-#include "synthesis/proof_text.h"
+#include "shader/proof_text.h"
 
 namespace isomotion::render {
 namespace {
 
-constexpr int block = synthesis::proved_block;
+constexpr int block = shader::proved_block;
 
 // The outcome of a pixel's block in a tile of so many pixels across.
 Proof outcome_at(std::span<const float> blocks, int width, int x, int y) {

@@ -4,23 +4,23 @@
 #include <bit>
 #include <utility>
 
-#include "synthesis/effect_text.h"
+#include "shader/effect_text.h"
 
 namespace isomotion::render {
 
-using synthesis::Role;
+using shader::Role;
 
-RayMarcher::RayMarcher(const synthesis::Passes& passes, const scene::Scene& scene,
+RayMarcher::RayMarcher(const shader::Passes& passes, const scene::Scene& scene,
                        const ScenePlan& plan, std::function<void()> stop_if_asked)
     : passes_(passes)
     , plan_(plan)
-    , shadow_lights_(std::popcount(unsigned(synthesis::shadow_mask(scene))))
+    , shadow_lights_(std::popcount(unsigned(shader::shadow_mask(scene))))
     , stop_if_asked_(std::move(stop_if_asked)) {}
 
 RayMarcher::Evaluations RayMarcher::evaluations_of(Role role) const {
     // Mirrored rays go by no lists.
     const bool by_lists = role == Role::march || (role == Role::shadow && passes_.light_beams != 0);
-    const bool is_planned = !synthesis::has_lists(passes_) || by_lists;
+    const bool is_planned = !shader::has_lists(passes_) || by_lists;
     const Evaluations all =
         is_planned
             ? Evaluations{plan_.march.evaluations_per_pass, plan_.march.most_evaluations_per_pass}

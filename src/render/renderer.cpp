@@ -23,15 +23,15 @@
 #include "render/surface_passes.h"
 #include "render/velocity_pass.h"
 #include "scene/surfaces.h"
-#include "synthesis/effect_text.h"
+#include "shader/effect_text.h"
 
 namespace isomotion::render {
 namespace {
 
-using synthesis::Channel, synthesis::Role;
+using shader::Channel, shader::Role;
 
 // The formats of the shade pass's attachments.
-std::vector<gpu::Format> formats(const synthesis::Passes& passes, const Record& record,
+std::vector<gpu::Format> formats(const shader::Passes& passes, const Record& record,
                                  bool over_each_other) {
     std::vector<gpu::Format> all(2 + passes.attachments.size(), gpu::Format::rgba32f);
     all[1] = record.format();
@@ -96,7 +96,7 @@ struct Renderer::Parts {
         base::Fingerprint print;
         image::EnvironmentSink sink;
         std::optional<image::EnvironmentReduction> reduction;
-        if (synthesis::mirrors_environment(first.drawn)) reduction.emplace(image::widest_reduction);
+        if (shader::mirrors_environment(first.drawn)) reduction.emplace(image::widest_reduction);
         sink.begin = [&](int width, int height) {
             environment.emplace(gpu::Format::rgba32f, width, height);
             if (reduction) reduction->begin(width, height);
@@ -459,7 +459,7 @@ struct Renderer::Parts {
     scene::Scene scene;
     std::vector<std::unique_ptr<SurfacePasses>> surfaces;
     SurfacePasses& first = *surfaces.front(); // its target, tiles and channels are those of all
-    const synthesis::Passes& passes = first.passes;
+    const shader::Passes& passes = first.passes;
     const ScenePlan& plan = first.plan;
     PassTable& table = first.table;
     const std::string passes_print; // of those that decide pixels
@@ -497,13 +497,13 @@ void Renderer::resize(int width, int height) {
     const MarchPlan& tile = p.plan.march;
     // Beams' blocks lie in tiles: tiles that begin elsewhere would cut other blocks.
     const auto cuts = [](int length, int side) {
-        return side > length && length % synthesis::beam_square != 0;
+        return side > length && length % shader::beam_square != 0;
     };
     if (width < 1 || height < 1 || cuts(tile.tile_width, width) || cuts(tile.tile_height, height)) {
         throw std::invalid_argument(fmt::format(
             "a picture of {} x {} cannot be drawn with tiles of {} x {}: make the renderer for "
             "multiples of {}",
-            width, height, tile.tile_width, tile.tile_height, synthesis::beam_square));
+            width, height, tile.tile_width, tile.tile_height, shader::beam_square));
     }
     p.flights.expect_at_most(0);
     p.options.width = width;

@@ -21,8 +21,8 @@
 #include "render/stage.h"
 #include "scene/rays.h"
 #include "scene/scene_at.h"
-#include "synthesis/assemble.h"
-#include "synthesis/channel.h"
+#include "shader/assemble.h"
+#include "shader/channel.h"
 
 namespace isomotion::render {
 
@@ -58,7 +58,7 @@ struct Picture {
 
 struct RenderOptions {
     int width = 0, height = 0;
-    std::vector<synthesis::Channel> channels{};
+    std::vector<shader::Channel> channels{};
     // Replaces the plan made from the formula's cost. Tests show that it changes no pixel.
     std::optional<MarchPlan> plan{};
     // Receives messages on repaired data in files that the scene names.
@@ -69,7 +69,7 @@ struct RenderOptions {
     // at most the last bits of hits.
     std::int64_t pixels = 0;
     // Pixels across the smallest beams: 8, or 1 to measure the benefit of closer starts.
-    int finest_beam = synthesis::usual_beam;
+    int finest_beam = shader::usual_beam;
     // Whether proofs that fail in float32 are tried in doubles, where the driver's can be trusted.
     bool proofs_in_doubles = true;
     // Whether inputs may ask for the endings of rays. It changes no pixel.

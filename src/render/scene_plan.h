@@ -8,7 +8,7 @@
 #include "elements/element_grid.h"
 #include "render/march_plan.h"
 #include "scene/scene.h"
-#include "synthesis/pass.h"
+#include "shader/pass.h"
 
 namespace isomotion::render {
 
@@ -22,14 +22,14 @@ struct ScenePlan {
 
 // For each array the number of elements that an evaluation is assumed to sum; in the list of a
 // cell, if they are found by place.
-std::vector<int> elements_by_place(const synthesis::Passes& passes);
+std::vector<int> elements_by_place(const shader::Passes& passes);
 
 // Whether lists are so long that some ray will not end in one draw.
 bool are_lists_long(const elements::ElementGrid& grid, const ScenePlan& plan);
 
 // `wanted` replaces the march plan made from the formula's cost. Throws std::length_error for a sum
 // too long for a shader, and for a formula that no draw can evaluate.
-ScenePlan plan_scene(const scene::OneSurface& one, const synthesis::Passes& passes, int width,
+ScenePlan plan_scene(const scene::OneSurface& one, const shader::Passes& passes, int width,
                      int height, int max_texture_size, const std::optional<MarchPlan>& wanted,
                      const DrawLimits& limits = {});
 

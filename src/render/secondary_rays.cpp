@@ -3,13 +3,13 @@
 namespace isomotion::render {
 namespace {
 
-using synthesis::Role;
+using shader::Role;
 
 constexpr int attachments = 3; // of what is kept of an end, see shaders/effects/surface_point.glsl
 
 } // namespace
 
-SecondaryRays::SecondaryRays(const synthesis::Passes& passes, const scene::OneSurface& one,
+SecondaryRays::SecondaryRays(const shader::Passes& passes, const scene::OneSurface& one,
                              const MarchPlan& tile)
     : ends_(tile.target_width(), tile.target_height(), attachments) {
     if (passes.has(Role::shadow)) shadow_.emplace(passes, tile);

@@ -13,7 +13,7 @@ namespace isomotion::render {
 // For scenes whose passes keep the ends of rays (Role::surface).
 class SecondaryRays {
 public:
-    SecondaryRays(const synthesis::Passes& passes, const scene::OneSurface& one,
+    SecondaryRays(const shader::Passes& passes, const scene::OneSurface& one,
                   const MarchPlan& tile);
 
     // Traces the rays that start at the ends of a tile's rays, which are bound as state textures,

@@ -1,18 +1,18 @@
 #include "render/several_surfaces.h"
 
 #include "render/motion.h"
-#include "synthesis/paths_text.h"
+#include "shader/paths_text.h"
 
 namespace isomotion::render {
 namespace {
 
-using synthesis::Role;
+using shader::Role;
 
 constexpr int kept_textures = 4; // of what is kept of an end, see shaders/surfaces/nearest.glsl
 
 // One more where paths may begin before it: shaders/paths/begin.glsl.
 int textures_of_ends(const scene::Scene& scene) {
-    return kept_textures + int(synthesis::follows_paths(scene));
+    return kept_textures + int(shader::follows_paths(scene));
 }
 
 // The distance from the eye along the camera's axis to the plane where t is 0, in formula
@@ -23,8 +23,8 @@ double depth_of(const scene::Rays& rays) {
 
 } // namespace
 
-synthesis::Uniforms uniforms_among(const scene::OneSurface& one, const scene::SceneAt& now,
-                                   int width, int height, const scene::Aim& aim) {
+shader::Uniforms uniforms_among(const scene::OneSurface& one, const scene::SceneAt& now, int width,
+                                int height, const scene::Aim& aim) {
     const scene::OneSurfaceAt own(now, one.index), first(now, 0);
     const scene::PlacementAt& place = own.surface.placement;
     // Differences in double: the planes may be near each other and far from the eye.
@@ -41,8 +41,8 @@ synthesis::Uniforms uniforms_among(const scene::OneSurface& one, const scene::Sc
                                          : change_of_place(now.surfaces[k].placement, place);
         moves.insert(moves.end(), rows.begin(), rows.end());
     }
-    synthesis::Uniforms uniforms{{"surface_way", glm::vec4(way)}, {"surface_moves", moves}};
-    if (!synthesis::follows_paths(one.scene)) return uniforms;
+    shader::Uniforms uniforms{{"surface_way", glm::vec4(way)}, {"surface_moves", moves}};
+    if (!shader::follows_paths(one.scene)) return uniforms;
     uniforms.push_back({"path_moves", std::move(moves)});
     uniforms.push_back({"matters", matters_at(one.scene, now, place.scale)});
     return uniforms;

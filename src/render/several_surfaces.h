@@ -16,8 +16,8 @@
 namespace isomotion::render {
 
 // Uniforms of one surface among several, which relate its rays and places to those of the others.
-synthesis::Uniforms uniforms_among(const scene::OneSurface& one, const scene::SceneAt& now,
-                                   int width, int height, const scene::Aim& aim);
+shader::Uniforms uniforms_among(const scene::OneSurface& one, const scene::SceneAt& now, int width,
+                                int height, const scene::Aim& aim);
 
 class SeveralSurfaces : public InPasses {
 public:

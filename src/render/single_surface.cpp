@@ -2,7 +2,7 @@
 
 namespace isomotion::render {
 
-using synthesis::Role;
+using shader::Role;
 
 SingleSurface::SingleSurface(SurfacePasses& only)
     : only_(only)

@@ -58,23 +58,23 @@ StageChoice parse_stage(std::string_view text) {
         fmt::format("--stage: there is no stage '{}'; known: {}", text, known));
 }
 
-std::string_view name(synthesis::Stage stage) {
-    return stage == synthesis::Stage::fragment ? "fragment" : "compute";
+std::string_view name(shader::Stage stage) {
+    return stage == shader::Stage::fragment ? "fragment" : "compute";
 }
 
-synthesis::Stage choose_stage(StageChoice choice, const gpu::ContextInfo& info) {
+shader::Stage choose_stage(StageChoice choice, const gpu::ContextInfo& info) {
     switch (choice) {
     case StageChoice::fragment:
         break;
     case StageChoice::compute:
         gpu::expect_compute(info, "--stage compute");
-        return synthesis::Stage::compute;
+        return shader::Stage::compute;
     case StageChoice::automatic:
         if (!info.software && gpu::has_compute(info) && draws_on_few_processors(info.renderer)) {
-            return synthesis::Stage::compute;
+            return shader::Stage::compute;
         }
     }
-    return synthesis::Stage::fragment;
+    return shader::Stage::fragment;
 }
 
 } // namespace isomotion::render

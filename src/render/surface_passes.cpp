@@ -5,9 +5,9 @@
 #include <utility>
 
 #include "render/arithmetic_speed.h"
-#include "synthesis/inlined_size.h"
-#include "synthesis/surfaces_text.h"
-#include "synthesis/tape_text.h"
+#include "shader/inlined_size.h"
+#include "shader/surfaces_text.h"
+#include "shader/tape_text.h"
 
 namespace isomotion::render {
 namespace {
@@ -20,19 +20,19 @@ int texels_for_lists(const gpu::ContextInfo& info) {
 }
 
 // Drivers of hardware have compilers of their own: the limit is of Mesa's for processors.
-const synthesis::Passes& checked(const synthesis::Passes& passes, const gpu::ContextInfo& info) {
-    if (info.software) synthesis::check_size(passes);
+const shader::Passes& checked(const shader::Passes& passes, const gpu::ContextInfo& info) {
+    if (info.software) shader::check_size(passes);
     return passes;
 }
 
 // What is written must not depend on the number of threads. How far proofs get depends on a tile's
 // size, and so do lists that are too long for theirs.
 DrawLimits limits_of_a_draw(const gpu::ContextInfo& info, const scene::OneSurface& one,
-                            const synthesis::Passes& passes) {
+                            const shader::Passes& passes) {
     constexpr int most_in_any_list = 500;
     const bool keeps_tiles =
         one.surface.isolation.certify ||
-        (synthesis::has_lists(passes) && passes.arrays[0].capacity > most_in_any_list);
+        (shader::has_lists(passes) && passes.arrays[0].capacity > most_in_any_list);
     return {.operations = operations_per_draw_at(arithmetic_speed(info).in(passes.stage)),
             .threads = keeps_tiles ? 1 : std::max(1, info.threads)};
 }
@@ -40,11 +40,11 @@ DrawLimits limits_of_a_draw(const gpu::ContextInfo& info, const scene::OneSurfac
 // Whether all that is drawn of a tile follows the table's corner(), and pixels are the same there.
 // Lists of elements are made for blocks of up to 64 pixels, which would be others.
 bool spreads_small_pictures(const gpu::ContextInfo& info, const scene::OneSurface& one,
-                            const synthesis::Passes& passes) {
+                            const shader::Passes& passes) {
     return info.software && info.max_texture_size >= side_for_small_pictures &&
-           passes.stage == synthesis::Stage::fragment && !one.surface.isolation.certify &&
-           !passes.has(synthesis::Role::motion) &&
-           std::ranges::all_of(passes.beams, [](const synthesis::BeamLevel& level) {
+           passes.stage == shader::Stage::fragment && !one.surface.isolation.certify &&
+           !passes.has(shader::Role::motion) &&
+           std::ranges::all_of(passes.beams, [](const shader::BeamLevel& level) {
                return level.block == Blocks::side;
            });
 }
@@ -57,15 +57,15 @@ constexpr int largest_tile_of_several = 512;
 PlannedSurface::PlannedSurface(const scene::OneSurface& one, const RenderOptions& options,
                                const gpu::ContextInfo& info)
     : drawn(one)
-    , passes(synthesis::assemble(one, options.channels,
-                                 {.stage = choose_stage(options.stage, info),
-                                  .branches = options.branches.value_or(!info.software),
-                                  .writes_buffers = info.has(4, 3),
-                                  .finest_beam = options.finest_beam,
-                                  .tells_endings = options.tells_endings,
-                                  .pixels = options.pixels > 0
-                                                ? options.pixels
-                                                : std::int64_t(options.width) * options.height}))
+    , passes(shader::assemble(one, options.channels,
+                              {.stage = choose_stage(options.stage, info),
+                               .branches = options.branches.value_or(!info.software),
+                               .writes_buffers = info.has(4, 3),
+                               .finest_beam = options.finest_beam,
+                               .tells_endings = options.tells_endings,
+                               .pixels = options.pixels > 0
+                                             ? options.pixels
+                                             : std::int64_t(options.width) * options.height}))
     , plan(plan_scene(one, checked(passes, info), options.width, options.height,
                       info.max_texture_size, options.plan, limits_of_a_draw(info, one, passes))) {
     // Whether one draw may end a ray, by the usual budget: the passes, and so the fingerprint, are
@@ -73,7 +73,7 @@ PlannedSurface::PlannedSurface(const scene::OneSurface& one, const RenderOptions
     const ScenePlan usual =
         plan_scene(one, passes, options.width, options.height, info.max_texture_size, options.plan);
     if (usual.march.evaluations_per_pass <= 1)
-        passes = synthesis::without_fused_pass(std::move(passes));
+        passes = shader::without_fused_pass(std::move(passes));
     plan.march.spreads_small_pictures = !options.plan && spreads_small_pictures(info, one, passes);
 }
 
@@ -84,10 +84,10 @@ std::vector<PlannedSurface> plan_surfaces(const scene::Scene& scene, const Rende
     for (std::size_t k = 0; k < scene.surfaces.size(); ++k)
         all.emplace_back(scene::OneSurface(scene, k), options, info);
     if (all.size() == 1) return all;
-    std::vector<synthesis::Passes*> passes;
+    std::vector<shader::Passes*> passes;
     passes.reserve(all.size());
     for (PlannedSurface& each : all) passes.push_back(&each.passes);
-    synthesis::agree_on_draws(passes);
+    shader::agree_on_draws(passes);
     int width = largest_tile_of_several, height = largest_tile_of_several;
     for (const PlannedSurface& each : all) {
         width = std::min(width, each.plan.march.tile_width);
@@ -123,7 +123,7 @@ SurfacePasses::SurfacePasses(PlannedSurface planned, const RenderOptions& option
     }
     field.emplace(passes, listed);
     if (passes.tapes) tapes_are_run_ = passes.tapes->are_run(passes);
-    if (const auto array = synthesis::array_with_grid(passes))
+    if (const auto array = shader::array_with_grid(passes))
         grid_maker_ = elements::GridMaker::of(*drawn.surface.field, *array);
 }
 

@@ -23,7 +23,7 @@ struct PlannedSurface {
                    const gpu::ContextInfo& info);
 
     scene::OneSurface drawn;
-    synthesis::Passes passes;
+    shader::Passes passes;
     ScenePlan plan;
 };
 
@@ -51,7 +51,7 @@ private:
 
 public:
     const scene::OneSurface& drawn = planned_.drawn;
-    const synthesis::Passes& passes = planned_.passes;
+    const shader::Passes& passes = planned_.passes;
     const ScenePlan& plan = planned_.plan;
     PassTable table;
     RayMarcher marcher;

@@ -6,7 +6,7 @@
 #include <span>
 
 #include "scene/ray_rounding.h"
-#include "synthesis/tape_text.h"
+#include "shader/tape_text.h"
 
 namespace isomotion::render {
 namespace {
@@ -106,7 +106,7 @@ std::vector<glm::vec4> shading_block(const scene::OneSurface& one, const scene::
     return block;
 }
 
-std::vector<std::byte> parameter_block(const synthesis::Passes& passes, const scene::SurfaceAt& now,
+std::vector<std::byte> parameter_block(const shader::Passes& passes, const scene::SurfaceAt& now,
                                        const elements::ElementGrid* grid) {
     const std::size_t vectors = std::size_t(passes.parameter_vectors);
     std::vector<std::byte> block(std::size_t(passes.vectors()) * 16);
@@ -119,9 +119,9 @@ std::vector<std::byte> parameter_block(const synthesis::Passes& passes, const sc
     if (grid) {
         std::vector<glm::vec4> described{wide(grid->low, double(grid->least)),
                                          wide(grid->cell, grid->longest), wide(grid->across)};
-        described.resize(std::size_t(synthesis::grid_vectors(passes)));
+        described.resize(std::size_t(shader::grid_vectors(passes)));
         for (std::size_t k = 0; k < grid->left_out.size(); ++k)
-            described[synthesis::grid_vectors_of_place + k / 4][int(k % 4)] =
+            described[shader::grid_vectors_of_place + k / 4][int(k % 4)] =
                 not_below(grid->left_out[k]);
         const std::size_t begin = (vectors + std::size_t(passes.count_vectors)) * 16;
         std::memcpy(block.data() + begin, described.data(), described.size() * sizeof(glm::vec4));
@@ -129,7 +129,7 @@ std::vector<std::byte> parameter_block(const synthesis::Passes& passes, const sc
     return block;
 }
 
-std::vector<glm::vec4> array_texels(const formula::Field& field, const synthesis::Passes& passes,
+std::vector<glm::vec4> array_texels(const formula::Field& field, const shader::Passes& passes,
                                     const scene::SurfaceAt& now, std::size_t index) {
     const auto& fields = field.packing[index];
     const auto& columns = now.bindings.arrays[index];
@@ -144,16 +144,16 @@ std::vector<glm::vec4> array_texels(const formula::Field& field, const synthesis
     return texels;
 }
 
-void describe_tapes(const synthesis::Passes& passes, const formula::TapeCells& tapes,
+void describe_tapes(const shader::Passes& passes, const formula::TapeCells& tapes,
                     std::vector<std::byte>& block) {
-    const std::vector<synthesis::FieldFunction>& functions = passes.tapes->functions();
+    const std::vector<shader::FieldFunction>& functions = passes.tapes->functions();
     const auto vec = [](const std::array<double, 3>& v) { return glm::dvec3(v[0], v[1], v[2]); };
-    std::array<glm::vec4, synthesis::tape_vectors> described{};
+    std::array<glm::vec4, shader::tape_vectors> described{};
     described[0] = wide(vec(tapes.low), tapes.levels);
     described[1] = wide(vec(tapes.size));
     for (std::size_t k = 0; k < functions.size(); ++k) {
         const int place = int(functions[k]);
-        described[std::size_t(synthesis::tape_vectors_of_place + place / 4)][place % 4] =
+        described[std::size_t(shader::tape_vectors_of_place + place / 4)][place % 4] =
             float(int(k) * tapes.spans_of_a_function());
     }
     const std::size_t bytes = sizeof(described);

@@ -10,7 +10,7 @@
 #include "formula/tape/tape_cells.h"
 #include "scene/rays.h"
 #include "scene/scene_at.h"
-#include "synthesis/pass.h"
+#include "shader/pass.h"
 
 namespace isomotion::render {
 
@@ -43,14 +43,14 @@ std::vector<glm::vec4> shading_block(const scene::OneSurface& one, const scene::
 
 // Generated block Parameters: parameter values, the arrays' counts, the grid if there is one, and
 // room for the tapes.
-std::vector<std::byte> parameter_block(const synthesis::Passes& passes, const scene::SurfaceAt& now,
+std::vector<std::byte> parameter_block(const shader::Passes& passes, const scene::SurfaceAt& now,
                                        const elements::ElementGrid* grid);
 // Fills that room.
-void describe_tapes(const synthesis::Passes& passes, const formula::TapeCells& tapes,
+void describe_tapes(const shader::Passes& passes, const formula::TapeCells& tapes,
                     std::vector<std::byte>& block);
 
 // The elements of array `index`, packed as the field reads them.
-std::vector<glm::vec4> array_texels(const formula::Field& field, const synthesis::Passes& passes,
+std::vector<glm::vec4> array_texels(const formula::Field& field, const shader::Passes& passes,
                                     const scene::SurfaceAt& now, std::size_t index);
 
 } // namespace isomotion::render

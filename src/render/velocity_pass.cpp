@@ -2,7 +2,7 @@
 
 #include <glm/gtc/type_ptr.hpp>
 
-#include "synthesis/section_text.h"
+#include "shader/section_text.h"
 
 namespace isomotion::render {
 
@@ -10,12 +10,12 @@ std::vector<float> VelocityPass::field_there(PassTable& table, const gpu::Rectan
                                              const scene::PlacementAt& from,
                                              const scene::OneSurfaceAt& to) const {
     const auto rows = change_of_place(from, to.surface.placement);
-    const gpu::Program& program = table.program(synthesis::Role::motion);
+    const gpu::Program& program = table.program(shader::Role::motion);
     program.set("move_x", rows[0]);
     program.set("move_y", rows[1]);
     program.set("move_z", rows[2]);
     if (!to.scene.sections.empty()) {
-        const synthesis::Uniform there = synthesis::sections_uniform(to);
+        const shader::Uniform there = shader::sections_uniform(to);
         program.set(there.name,
                     std::span<const glm::vec4>(std::get<std::vector<glm::vec4>>(there.value)));
     }

@@ -60,7 +60,7 @@ std::vector<glm::vec4> packed(std::span<const SectionAt> sections) {
 }
 
 std::vector<PartLeft> parts_left(std::span<const SectionAt> sections, const glm::dvec3& anchor,
-                             const glm::dvec3& direction, double near, double far) {
+                                 const glm::dvec3& direction, double near, double far) {
     std::vector<Taken> all;
     for (std::size_t k = 0; k < sections.size(); ++k) {
         if (const auto some = taken(sections[k], int(k), anchor, direction)) all.push_back(*some);

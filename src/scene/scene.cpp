@@ -11,7 +11,7 @@ std::size_t only(std::size_t surfaces) {
     throw std::logic_error(fmt::format("a scene of {} surfaces where one is asked for", surfaces));
 }
 
-std::string word_of(const Scene& scene) {
+std::string reload_argument(const Scene& scene) {
     return scene.formula.empty() ? std::filesystem::absolute(scene.file).string() : scene.formula;
 }
 

@@ -251,6 +251,14 @@ struct NamedLook {
     std::vector<std::string> keys = {}; // keys that it set for a surface: "material.model"
 };
 
+// What is measured of a surface once it is read: see probe/measured.h.
+struct Measured {
+    formula::Smoothness smoothness;  // within the bounds, over all frames
+    formula::CubicSteps cubic_steps; // of an eighth of the bounds' radius
+    // Of the array with the most, if known: probe/elements_at_a_place.h.
+    std::optional<double> elements_at_a_place;
+};
+
 // One surface of a scene: a formula, where it is, what it is made of and how its roots are found.
 struct Surface {
     std::string name;  // of the catalogue, or empty
@@ -259,12 +267,8 @@ struct Surface {
     std::shared_ptr<const formula::Field> field;
     // How the values of the formula's names move, and of all settings that are tracks.
     animation::Animation animation;
-    int parameters = 0;        // the first tracks of the animation are the formula's parameters
-    std::vector<Range> ranges; // ranges of the parameters that a scene can name
-    formula::Smoothness smoothness;  // within the bounds, over all frames
-    formula::CubicSteps cubic_steps; // of an eighth of the bounds' radius
-    // Of the array with the most, if known: see elements_at_a_place.h.
-    std::optional<double> elements_at_a_place;
+    int parameters = 0;           // the first tracks of the animation are the formula's parameters
+    std::vector<Range> ranges;    // ranges of the parameters that a scene can name
     bool jumps_are_walls = false; // jumps of F across 0 count as surface, too
     Bounds bounds;
     // For bounds that no file gives: whether they enclose the surface.
@@ -274,6 +278,7 @@ struct Surface {
     Material material;
     std::shared_ptr<const ValuePlaces> value_places; // where the file states its values
     NamedLook look;
+    Measured measured;
 };
 
 struct Scene {
@@ -317,6 +322,6 @@ struct OneSurface {
 };
 
 // The argument that loads the scene again from any folder: its formula, or its file's full path.
-std::string word_of(const Scene& scene);
+std::string reload_argument(const Scene& scene);
 
 } // namespace isomotion::scene

@@ -464,7 +464,7 @@ SurfaceAt surface_at(const Surface& surface, const Reader& read,
     read.check_range();
     now.bindings = formula::convert<float>(bindings);
     now.bounds = read.bounds();
-    now.cubic_steps = surface.cubic_steps;
+    now.cubic_steps = surface.measured.cubic_steps;
     now.placement = read.placement();
     const Material& material = surface.material;
     now.color = read.color(material.color);

@@ -138,13 +138,6 @@ std::string place_of(const OneSurface& one, const std::string& name) {
     return fmt::format("{}: surfaces.{}.{}", at.position, label, at.key);
 }
 
-void expect_one_surface(const Scene& scene, const std::string& who) {
-    if (scene.surfaces.size() == 1) return;
-    throw SceneError(fmt::format("{}: has {} surfaces ({}), and {} knows one", scene.title,
-                                 scene.surfaces.size(), fmt::join(surface_names(scene), ", "),
-                                 who));
-}
-
 Isolation changed_alike(Isolation other, const Isolation& before, const Isolation& now) {
     for (auto number : {&Isolation::step, &Isolation::near, &Isolation::far, &Isolation::horizon}) {
         if (now.*number != before.*number && before.*number != 0)

@@ -32,9 +32,6 @@ std::size_t surface_named(const Scene& scene, const std::string& name,
 // value_places.h.
 std::string place_of(const OneSurface& one, const std::string& name);
 
-// Throws SceneError if there are several surfaces. `who` needs a single one: "a page".
-void expect_one_surface(const Scene& scene, const std::string& who);
-
 // The settings of one surface after those of the first one have changed from `before` to `now`.
 // Lengths and values of each surface's own change by the same factor; what has not changed stays.
 Isolation changed_alike(Isolation other, const Isolation& before, const Isolation& now);

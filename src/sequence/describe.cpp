@@ -19,9 +19,9 @@ image::Entry rate(const animation::FrameRate& fps) {
     return {"isomotion:fps", image::to_text(ratio)};
 }
 
-std::vector<std::string> layers(const std::vector<synthesis::Channel>& channels) {
+std::vector<std::string> layers(const std::vector<shader::Channel>& channels) {
     std::vector<std::string> names{"R", "G", "B", "A"};
-    for (const auto& entry : synthesis::channel_names()) {
+    for (const auto& entry : shader::channel_names()) {
         if (std::ranges::find(channels, entry.channel) == channels.end()) continue;
         names.insert(names.end(), entry.layers.begin(), entry.layers.end());
     }
@@ -94,8 +94,8 @@ std::string file_fingerprint(const std::string& pixels, const std::string& rende
 }
 
 Sequence sequence_of(const scene::Scene& scene, const SequenceName& name, image::Format format,
-                     const std::vector<synthesis::Channel>& channels, std::vector<int> frames,
-                     const gpu::ContextInfo& driver, synthesis::Stage stage,
+                     const std::vector<shader::Channel>& channels, std::vector<int> frames,
+                     const gpu::ContextInfo& driver, shader::Stage stage,
                      const std::string& shaders_fingerprint) {
     Sequence all;
     all.title = scene.title;

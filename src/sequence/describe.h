@@ -28,8 +28,8 @@ std::string file_fingerprint(const std::string& pixels, const std::string& rende
                              image::Format format, const image::Metadata& metadata);
 
 Sequence sequence_of(const scene::Scene& scene, const SequenceName& name, image::Format format,
-                     const std::vector<synthesis::Channel>& channels, std::vector<int> frames,
-                     const gpu::ContextInfo& driver, synthesis::Stage stage,
+                     const std::vector<shader::Channel>& channels, std::vector<int> frames,
+                     const gpu::ContextInfo& driver, shader::Stage stage,
                      const std::string& shaders_fingerprint);
 
 // Everything except the fingerprint, the provenance and what is known only once the file exists.

@@ -56,7 +56,7 @@ void check_options(const scene::Scene& scene, const ExportOptions& options, imag
                                       fs::path(options.output).replace_extension(".exr").string()));
     }
     if (!scene.surfaces.front().isolation.certify &&
-        std::ranges::find(options.channels, synthesis::Channel::proof) != options.channels.end()) {
+        std::ranges::find(options.channels, shader::Channel::proof) != options.channels.end()) {
         throw OptionError("channels proof: nothing is proved without isolation.certify");
     }
     try {
@@ -291,7 +291,7 @@ private:
     void warn_of_audit() const {
         for (const audit::WrongPixel& pixel : totals_.audit.examples) {
             warn(fmt::format("frame {}, pixel ({}, {}): {}", pixel.frame, pixel.column, pixel.row,
-                             truth::words(pixel.fault)));
+                             roots::words(pixel.fault)));
         }
         if (totals_.audit.wrong == 0) return;
         const bool by_bounds = scene_.surfaces.front().isolation.method == scene::Method::affine;

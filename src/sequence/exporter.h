@@ -36,8 +36,8 @@ struct ExportOptions {
     std::string output;       // out/name.####.png or .exr
     std::vector<int> frames;  // at least one
     std::vector<int> part_of; // frames of the sequence that `frames` are a part of; none: these
-    std::vector<synthesis::Channel> channels; // for an EXR, besides the picture
-    int bits = 8;                             // for a PNG: 8 or 16
+    std::vector<shader::Channel> channels; // for an EXR, besides the picture
+    int bits = 8;                          // for a PNG: 8 or 16
     render::StageChoice stage = render::StageChoice::fragment;
     std::optional<int> audit; // rays per frame; unset: as many as are cheap; 0: no audit
     bool resume = false;      // keep files that these options would render again

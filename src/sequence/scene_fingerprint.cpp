@@ -2,7 +2,7 @@
 
 #include "base/fingerprint.h"
 #include "scene/source_print.h"
-#include "synthesis/effect.h"
+#include "shader/effect.h"
 
 namespace isomotion::sequence {
 namespace {
@@ -32,7 +32,7 @@ void add(Fingerprint& print, const scene::Output& output) {
 }
 
 // A surface with the settings that all share. `effects`: of the surface, or of all.
-Fingerprint print_of(const scene::OneSurface& one, std::span<const synthesis::Effect> effects) {
+Fingerprint print_of(const scene::OneSurface& one, std::span<const shader::Effect> effects) {
     const auto& [scene, surface, index] = one;
     const animation::Animation& animation = surface.animation;
     Fingerprint print;
@@ -41,7 +41,7 @@ Fingerprint print_of(const scene::OneSurface& one, std::span<const synthesis::Ef
     for (const animation::Track& track : animation.tracks()) scene::add(print, track);
     for (std::size_t a = 0; a < animation.arrays().size(); ++a)
         scene::add_array(print, animation, a);
-    for (const synthesis::Effect effect : effects) print.add(synthesis::name(effect));
+    for (const shader::Effect effect : effects) print.add(shader::name(effect));
     print.add(std::to_string(int(surface.bounds.shape)));
     add(print, surface.isolation);
     add_numbers(print, {double(scene.camera.projection), scene.camera.shutter});
@@ -72,10 +72,10 @@ Fingerprint print_of(const scene::OneSurface& one, std::span<const synthesis::Ef
 } // namespace
 
 std::string scene_fingerprint(const scene::Scene& scene) {
-    Fingerprint print = print_of({scene, 0}, synthesis::effects(scene));
+    Fingerprint print = print_of({scene, 0}, shader::effects(scene));
     for (std::size_t k = 1; k < scene.surfaces.size(); ++k) {
         const scene::OneSurface one(scene, k);
-        print.add(one.surface.label).add(print_of(one, synthesis::effects(one)).text());
+        print.add(one.surface.label).add(print_of(one, shader::effects(one)).text());
     }
     return print.text();
 }

@@ -2,8 +2,8 @@
 
 #include <fmt/format.h>
 
+#include "probe/unbounded.h"
 #include "scene/scene_at.h"
-#include "scene/unbounded.h"
 
 namespace isomotion::topology {
 
@@ -32,7 +32,7 @@ std::vector<std::string> why_unbounded(const Subject& subject, int frame) {
     std::vector<std::string> reasons;
     const auto look_at = [&](const scene::OneSurface& one) {
         const scene::SurfaceAt now = scene::surface_at(one, one.scene.timeline.time(frame));
-        if (auto why = scene::why_unbounded(one, now)) reasons.push_back(std::move(*why));
+        if (auto why = probe::why_unbounded(one, now)) reasons.push_back(std::move(*why));
     };
     look_at(subject.first);
     if (subject.second) look_at(*subject.second);

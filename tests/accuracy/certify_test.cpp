@@ -9,8 +9,8 @@
 #include "accuracy/compare.h"
 #include "render/doubles.h"
 #include "render/drawing.h"
+#include "roots/certify.h"
 #include "thorough.h"
-#include "truth/certify.h"
 #include "unit/formula/stranger_formula.h"
 
 namespace isomotion::accuracy {
@@ -20,9 +20,9 @@ using render::Picture, render::Proof, render::scene_of;
 
 constexpr int side = 64;
 
-std::vector<synthesis::Channel> channels() {
+std::vector<shader::Channel> channels() {
     auto all = render::every_channel;
-    all.push_back(synthesis::Channel::proof);
+    all.push_back(shader::Channel::proof);
     return all;
 }
 
@@ -279,7 +279,7 @@ TEST_P(Certify, DoublesProveWhatFloatsCannot) {
         GTEST_SKIP() << "no doubles, or not to be trusted";
     }
     EXPECT_GE(render::proved_part(by_both.proofs), 0.98);
-    const Errors errors = compare(now, by_both.frame, truth::certify(scene, now, side, side));
+    const Errors errors = compare(now, by_both.frame, roots::certify(scene, now, side, side));
     EXPECT_EQ(errors.contradicted, 0);
 }
 
@@ -331,7 +331,7 @@ TEST_P(CertifyAnimation, IsNotContradictedByTruth) {
                                fmt::format("output.size=[{},{}]", side, side)});
     const int frame = scene.output.poster;
     const scene::SceneAt now = scene::in_formula_coordinates(scene::at_frame(scene, frame));
-    const truth::Truth truth = truth::certify(scene, now, side, side);
+    const roots::Truth truth = roots::certify(scene, now, side, side);
     for (const auto backend : {gpu::Backend::egl, gpu::Backend::osmesa}) {
         const auto context = gpu::open_if_available(backend);
         if (!context) continue;
@@ -389,7 +389,7 @@ private:
         render::Renderer renderer(context, scene, {24, 24, channels(), {}});
         return compare(
             now, renderer.draw(now).frame,
-            truth::certify(scene, now, 24, 24, {truth::Budget{.evaluations = 4000}, 0, {}}));
+            roots::certify(scene, now, 24, 24, {roots::Budget{.evaluations = 4000}, 0, {}}));
     }
 };
 

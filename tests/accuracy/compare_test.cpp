@@ -8,7 +8,7 @@ namespace isomotion::accuracy {
 namespace {
 
 using render::Verdict;
-using truth::Answer;
+using roots::Answer;
 
 // One pixel that looks along -x from (5, 0, 0) at a sphere of radius 1: its ray's t is 0 at the
 // sphere's middle and runs along -x; a pixel is 4 wide.
@@ -31,7 +31,7 @@ struct Pixel {
     std::optional<render::Proof> proof{};
 };
 
-Errors judged(const Pixel& pixel, const truth::FirstRoot& root) {
+Errors judged(const Pixel& pixel, const roots::FirstRoot& root) {
     const scene::Scene scene = render::scene_of(one_pixel);
     const scene::SceneAt now = scene::at_frame(scene, 1);
     image::Frame frame;
@@ -50,15 +50,15 @@ Errors judged(const Pixel& pixel, const truth::FirstRoot& root) {
     return compare(now, frame, {1, 1, {root}, 0});
 }
 
-truth::FirstRoot hit_at(double t) {
+roots::FirstRoot hit_at(double t) {
     return {Answer::hit, false, float(t), float(t), 0, 0, {1, 0, 0}};
 }
-const truth::FirstRoot miss{};
-const truth::FirstRoot unknown{Answer::undecided, false, 0, 0, 0, 0, {}};
+const roots::FirstRoot miss{};
+const roots::FirstRoot unknown{Answer::undecided, false, 0, 0, 0, 0, {}};
 
 TEST(Compare, AProofIsOfWhatIsDrawnAndCertain) {
     using render::Proof;
-    const auto contradicted = [](Verdict drawn, Proof proof, const truth::FirstRoot& root) {
+    const auto contradicted = [](Verdict drawn, Proof proof, const roots::FirstRoot& root) {
         return judged({drawn, 1, 0, proof}, root).contradicted;
     };
     EXPECT_EQ(contradicted(Verdict::hit, Proof::hit, hit_at(-1)), 0);
@@ -94,8 +94,8 @@ TEST(Compare, AHitIsRightWithinAPixelOfTheFirstRoot) {
 }
 
 TEST(Compare, WhereSomethingTouchesBothAreRight) {
-    const truth::FirstRoot touch_then_miss{Answer::touching, false, 0, 0, -1.01f, -0.99f, {}};
-    const truth::FirstRoot touch_then_hit{Answer::touching, true, 0.5f, 0.5f, -1.01f, -0.99f, {}};
+    const roots::FirstRoot touch_then_miss{Answer::touching, false, 0, 0, -1.01f, -0.99f, {}};
+    const roots::FirstRoot touch_then_hit{Answer::touching, true, 0.5f, 0.5f, -1.01f, -0.99f, {}};
     EXPECT_EQ(judged({Verdict::hit, 1}, touch_then_miss).faults[0], Fault::none);
     EXPECT_EQ(judged({Verdict::miss}, touch_then_miss).faults[0], Fault::none);
     EXPECT_EQ(judged({Verdict::hit, 0}, touch_then_miss).faults[0], Fault::false_hit);
@@ -143,7 +143,7 @@ std::int64_t pops(const std::vector<std::string>& drawn, const std::vector<std::
     Popping popping;
     for (std::size_t frame = 0; frame < drawn.size(); ++frame) {
         image::Frame picture;
-        truth::Truth truth;
+        roots::Truth truth;
         picture.channels.push_back({"verdict", {}});
         for (const char c : drawn[frame]) picture.channels[0].samples.push_back(c == 'h' ? 1 : 0);
         for (const char c : truths[frame]) {

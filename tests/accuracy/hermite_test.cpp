@@ -29,7 +29,7 @@ TEST_P(HermiteOfCatalogue, NoCertainPixelIsWrong) {
         const int frame = scene.output.poster;
         const scene::SceneAt now = scene::at_frame(scene, frame);
         const render::Picture picture = render::draw(*context, scene, frame);
-        const Errors errors = compare(now, picture.frame, truth::certify(scene, now, 64, 64));
+        const Errors errors = compare(now, picture.frame, roots::certify(scene, now, 64, 64));
         EXPECT_LE(errors.wrong(), known.wrong);
         EXPECT_EQ(errors.nan, 0);
         EXPECT_EQ(errors.step_limit, 0);

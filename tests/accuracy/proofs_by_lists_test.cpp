@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "render/drawing.h"
-#include "synthesis/assemble.h"
+#include "shader/assemble.h"
 
 namespace isomotion::accuracy {
 namespace {
@@ -30,7 +30,7 @@ scene::Scene listed_scene(const std::string& formula, const std::string& isolati
 
 Picture drawn(gpu::Context& context, const scene::Scene& scene) {
     auto channels = render::every_channel;
-    if (scene.surfaces[0].isolation.certify) channels.push_back(synthesis::Channel::proof);
+    if (scene.surfaces[0].isolation.certify) channels.push_back(shader::Channel::proof);
     render::Renderer renderer(context, scene, {width, height, channels, {}});
     return renderer.draw(scene::at_frame(scene, 1));
 }
@@ -41,7 +41,7 @@ protected:
         SCOPED_TRACE(formula);
         const scene::Scene marched = listed_scene(
             formula, "certify = true\nbeam = true\nmethod = \"amp-sign\"\nstep = 0.4\n", bounds);
-        EXPECT_TRUE(synthesis::has_lists(synthesis::assemble(marched)));
+        EXPECT_TRUE(shader::has_lists(shader::assemble(marched)));
         const scene::Scene all =
             listed_scene(formula, "method = \"interval\"\nbeam = false\n", bounds);
         const Picture proved = drawn(*context, marched), right = drawn(*context, all);

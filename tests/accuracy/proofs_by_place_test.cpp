@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "render/drawing.h"
-#include "synthesis/assemble.h"
+#include "shader/assemble.h"
 #include "unit/elements/families.h"
 
 namespace isomotion::accuracy::proofs_by_place_test {
@@ -56,7 +56,7 @@ size = [{}, {}]
 
 Picture drawn(gpu::Context& context, const scene::Scene& scene) {
     auto channels = render::every_channel;
-    if (scene.surfaces[0].isolation.certify) channels.push_back(synthesis::Channel::proof);
+    if (scene.surfaces[0].isolation.certify) channels.push_back(shader::Channel::proof);
     render::Renderer renderer(context, scene, {width, height, channels, {}});
     return renderer.draw(scene::at_frame(scene, 1));
 }
@@ -68,9 +68,9 @@ protected:
         SCOPED_TRACE(name);
         const scene::Scene by_place =
             family_scene(formula, "certify = true\nmethod = \"amp-sign\"\nstep = 0.4\n");
-        EXPECT_TRUE(synthesis::array_with_grid(synthesis::assemble(by_place)));
+        EXPECT_TRUE(shader::array_with_grid(shader::assemble(by_place)));
         const scene::Scene all = family_scene(formula, "method = \"interval\"\nbeam = false\n");
-        EXPECT_FALSE(synthesis::array_with_grid(synthesis::assemble(all)));
+        EXPECT_FALSE(shader::array_with_grid(shader::assemble(all)));
         expect_true_of(drawn(*context, by_place), drawn(*context, all));
     }
 
@@ -143,7 +143,7 @@ size = [{}, {}]
                                     width, height, isolation));
     };
     const scene::Scene by_place = scene("certify = true\nmethod = \"amp-sign\"\nstep = 0.4\n");
-    EXPECT_TRUE(synthesis::array_with_grid(synthesis::assemble(by_place)));
+    EXPECT_TRUE(shader::array_with_grid(shader::assemble(by_place)));
     expect_true_of(drawn(*context, by_place), drawn(*context, scene("beam = false\n")));
     EXPECT_GT(wrong_, 20);
 }
@@ -152,7 +152,7 @@ size = [{}, {}]
 TEST_P(ProofsByPlace, OfPolynomialsTakeNoSecondDerivatives) {
     const scene::Scene scene =
         family_scene("sum(p, 0.001*((x-cx)^2 + (y-cy)^2 + (z-cz)^2)) - 0.9", "certify = true\n");
-    EXPECT_TRUE(synthesis::array_with_grid(synthesis::assemble(scene)));
+    EXPECT_TRUE(shader::array_with_grid(shader::assemble(scene)));
     EXPECT_GT(drawn(*context, scene).proofs[std::size_t(Proof::hit)], 100);
 }
 
@@ -160,7 +160,7 @@ TEST_P(ProofsByPlace, OfPolynomialsTakeNoSecondDerivatives) {
 TEST_P(ProofsByPlace, SumsBeginWithWhatListsLeaveOut) {
     const scene::Scene scene = family_scene(elements::families[0].formula, "certify = true\n");
     int texts = 0;
-    for (const synthesis::Pass& pass : synthesis::assemble(scene).list) {
+    for (const shader::Pass& pass : shader::assemble(scene).list) {
         if (pass.text.find("_in_cell") == std::string::npos) continue;
         const bool proves = pass.name.find("proof") != std::string::npos;
         EXPECT_EQ(pass.text.find("(array0_rest[0])") != std::string::npos, proves) << pass.name;

@@ -5,12 +5,12 @@
 #include "accuracy/compare.h"
 #include "render/drawing.h"
 #include "render/picture_proofs.h"
-#include "truth/certify.h"
+#include "roots/certify.h"
 
 namespace isomotion::accuracy {
 namespace {
 
-using render::Proof, render::Verdict, synthesis::Channel;
+using render::Proof, render::Verdict, shader::Channel;
 
 gpu::Context& context_of_proofs() {
     static const auto it = gpu::Context::create();
@@ -40,7 +40,7 @@ Proved proved(const std::string& text, const std::optional<render::MarchPlan>& p
     render::Renderer renderer(context_of_proofs(), scene, options);
     const scene::SceneAt now = scene::in_formula_coordinates(scene::at_frame(scene, 1));
     Proved found{renderer.draw(now), {}};
-    const truth::Truth truth = truth::certify(scene, now, scene.output.width, scene.output.height);
+    const roots::Truth truth = roots::certify(scene, now, scene.output.width, scene.output.height);
     found.errors = compare(now, found.picture.frame, truth);
     return found;
 }

@@ -6,7 +6,7 @@
 #include "accuracy/compare.h"
 #include "render/drawing.h"
 #include "render/piled_blobs.h"
-#include "truth/certify.h"
+#include "roots/certify.h"
 
 namespace isomotion::accuracy {
 namespace {
@@ -156,7 +156,7 @@ TEST_P(ProofsOfCatalogue, MissNoCertainRoot) {
     const std::string text = "[surface]\nuse = \"" + GetParam() + "\"\n[output]\nsize = [96, 96]\n";
     const scene::Scene plain = scene_of(text);
     const scene::SceneAt now = scene::at_frame(plain, 1);
-    const truth::Truth truth = truth::certify(plain, now, 96, 96);
+    const roots::Truth truth = roots::certify(plain, now, 96, 96);
     for (const char* method : proving) {
         SCOPED_TRACE(method);
         const Picture picture = draw(*context, scene_of(text + isolation(method)));

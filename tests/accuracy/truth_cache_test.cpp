@@ -16,7 +16,7 @@ protected:
     bool certifies(const std::vector<scene::Override>& settings = {}, int size = 24) {
         const scene::Scene scene = render::scene_of(render::sphere_scene, settings);
         bool asked = false;
-        truth::Certifying how;
+        roots::Certifying how;
         how.progress = [&](double) { asked = true; };
         last_ = remembered_truth(scene, scene::at_frame(scene, 1), size, size, how,
                                  folder_.path() / "truth");
@@ -31,12 +31,12 @@ protected:
     }
 
     image::TemporaryFolder folder_;
-    truth::Truth last_;
+    roots::Truth last_;
 };
 
 TEST_F(TruthCache, RemembersWhatItCertified) {
     EXPECT_TRUE(certifies());
-    const truth::Truth first = last_;
+    const roots::Truth first = last_;
     EXPECT_FALSE(certifies());
     EXPECT_EQ(last_.evaluations, first.evaluations);
     ASSERT_EQ(last_.roots.size(), first.roots.size());

@@ -104,27 +104,27 @@ TEST_P(Audits, RightPicturesAreFoundRight) {
 TEST_P(Audits, EveryKindOfFaultIsFound) {
     const scene::Scene scene = render::scene_of(body);
     const render::Picture picture = with_endings(scene, 500);
-    std::set<truth::Fault> faults;
+    std::set<roots::Fault> faults;
     for (const render::Ending& right : picture.endings) {
         render::Ending wrong = right;
-        std::set<truth::Fault> may{truth::Fault::missed};
+        std::set<roots::Fault> may{roots::Fault::missed};
         if (!right.is_hit()) {
             wrong.t = 0.1f;
-            may = {truth::Fault::false_hit, truth::Fault::wrong_root};
+            may = {roots::Fault::false_hit, roots::Fault::wrong_root};
         } else if (right.row % 3 == 0) {
             wrong.t = render::Ending::nowhere;
         } else if (right.row % 3 == 1) {
             wrong.t = render::Ending::unknown;
         } else {
             wrong.t += 0.3f;
-            may = {truth::Fault::wrong_root};
+            may = {roots::Fault::wrong_root};
         }
         const Findings found = Auditor(scene).hold(4, now, aim, 90, 70, {&wrong, 1});
         if (found.undecided > 0 || found.wrong == 0) continue; // a ray that touches
         ASSERT_EQ(found.examples.size(), 1u);
         EXPECT_EQ(found.examples[0].frame, 4);
         EXPECT_EQ(found.examples[0].column, right.column);
-        EXPECT_TRUE(may.count(found.examples[0].fault)) << truth::words(found.examples[0].fault);
+        EXPECT_TRUE(may.count(found.examples[0].fault)) << roots::words(found.examples[0].fault);
         faults.insert(found.examples[0].fault);
     }
     EXPECT_EQ(faults.size(), 3u);
@@ -201,7 +201,7 @@ size = [90, 70]
         EXPECT_EQ(found.wrong, 0);
         EXPECT_GT(found.rays, 5900);
         render::Renderer renderer(
-            *context, scene, {.width = 90, .height = 70, .channels = {synthesis::Channel::normal}});
+            *context, scene, {.width = 90, .height = 70, .channels = {shader::Channel::normal}});
         const render::Picture drawn = render::expose(renderer, renderer.prepare(scene, 1));
         const auto& x = drawn.frame.find("N.X")->samples;
         const auto& z = drawn.frame.find("N.Z")->samples;

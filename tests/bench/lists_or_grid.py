@@ -7,7 +7,7 @@
 Prints a table of Markdown: milliseconds of a frame by lists (`isolation.beam = true`) over those by default,
 the least of each in turn; in italics where the default is lists, too, so that the ratio tells how noisy the
 machine is. A width is that of a ball's support, for balls in a box of 2.4 across. Cones have kinks, and rays
-go by bounds. The rule that this measures is in src/synthesis/finding_elements.cpp.
+go by bounds. The rule that this measures is in src/shader/finding_elements.cpp.
 """
 import argparse
 import re

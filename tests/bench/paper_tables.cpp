@@ -74,8 +74,7 @@ Measurement measure(gpu::Context& context, const std::string& surface, const std
     Measurement found;
     found.step = scene.surfaces[0].isolation.step;
     {
-        render::Renderer counting(context, scene,
-                                  {size, size, {synthesis::Channel::evaluations}, {}});
+        render::Renderer counting(context, scene, {size, size, {shader::Channel::evaluations}, {}});
         const render::Picture picture = counting.draw(now);
         const auto& samples = picture.frame.find("evaluations")->samples;
         found.rays = double(

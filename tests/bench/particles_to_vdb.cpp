@@ -1,4 +1,5 @@
-// Makes a level set of balls around particles with OpenVDB, for particle_peers.py, which compiles it.
+// Makes a level set of balls around particles with OpenVDB, for particle_peers.py, which compiles
+// it.
 //
 //     particles_to_vdb PARTICLES.csv RADIUS VOXEL OUT.vdb
 #include <cstdio>

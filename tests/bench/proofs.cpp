@@ -69,7 +69,7 @@ void run_by_processor(const Arguments& arguments, gpu::Context& context,
 // The proofs of a picture, compared with truth.
 accuracy::Errors held_against_truth(gpu::Context& context, const Certified& on,
                                     const accuracy::Setting& setting) {
-    using synthesis::Channel;
+    using shader::Channel;
     const scene::Scene scene = accuracy::apply(setting, on.subject.scene);
     render::Renderer renderer(
         context, scene,

@@ -25,13 +25,13 @@
 #include "machine.h"
 #include "methods/contest.h"
 #include "methods/peak.h"
-#include "synthesis/assemble.h"
+#include "shader/assemble.h"
 #include "words.h"
 
 namespace isomotion::bench {
 namespace {
 
-using synthesis::Channel, synthesis::Stage;
+using shader::Channel, shader::Stage;
 
 struct Arguments {
     std::string output, backend = "auto", only = "all", blobs, animations = "blobby75";
@@ -91,10 +91,10 @@ public:
             counted_ = std::make_unique<render::Renderer>(context, scene_, options);
         }
         line_.has_beams =
-            !synthesis::assemble(scene_, {},
-                                 {.stage = stage,
-                                  .writes_buffers = context.info().has(4, 3),
-                                  .pixels = std::int64_t(arguments.size) * arguments.size})
+            !shader::assemble(scene_, {},
+                              {.stage = stage,
+                               .writes_buffers = context.info().has(4, 3),
+                               .pixels = std::int64_t(arguments.size) * arguments.size})
                  .beams.empty();
         line_.operations = operations(on.subject.scene, method);
         if (!context.info().software) load_.emplace(stage);

@@ -8,8 +8,8 @@
 
 #include <fmt/format.h>
 
+#include "roots/certify.h"
 #include "scene/reading/load.h"
-#include "truth/certify.h"
 
 namespace isomotion {
 namespace {
@@ -19,15 +19,15 @@ void row(const std::string& name, const std::string& file, int size) {
         scene::load(file, {"look=none", fmt::format("output.size=[{0}, {0}]", size)});
     const scene::SceneAt now = scene::at_frame(scene, scene.output.poster);
     const auto start = std::chrono::steady_clock::now();
-    const truth::Truth truth = truth::certify(scene, now, size, size);
+    const roots::Truth truth = roots::certify(scene, now, size, size);
     const double seconds =
         std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     const auto counts = truth.counts();
     const double pixels = double(size) * size;
     fmt::print("| {:<22} | {:>7.1f} | {:>7.1f} | {:>7} | {:>9.0f} | {:>9.0f} |\n", name, seconds,
-               double(truth.evaluations) / pixels, counts[std::size_t(truth::Answer::hit)],
-               1e6 * double(counts[std::size_t(truth::Answer::touching)]) / pixels,
-               1e6 * double(counts[std::size_t(truth::Answer::undecided)]) / pixels);
+               double(truth.evaluations) / pixels, counts[std::size_t(roots::Answer::hit)],
+               1e6 * double(counts[std::size_t(roots::Answer::touching)]) / pixels,
+               1e6 * double(counts[std::size_t(roots::Answer::undecided)]) / pixels);
     std::fflush(stdout);
 }
 

@@ -8,8 +8,8 @@
 #include "recorded.h"
 #include "surface_file.h"
 #include "thorough.h"
+#include "unit/shader/float_range.h"
 #include "unit/surface_formulas.h"
-#include "unit/synthesis/float_range.h"
 
 namespace isomotion::catalogue {
 namespace {
@@ -42,7 +42,7 @@ struct Side {
     // Rounding errors are proportional to the unit: those of floats, 2^29 times as large, are
     // bounded by float_ranges.
     double rounding(const formula::Point& p) const {
-        const auto range = synthesis::float_ranges(field.value, bindings, p).outputs[0];
+        const auto range = shader::float_ranges(field.value, bindings, p).outputs[0];
         return 0x1p-29 * (range.high - range.low);
     }
 };

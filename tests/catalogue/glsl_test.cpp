@@ -8,13 +8,13 @@
 #include "recorded.h"
 #include "surface_file.h"
 #include "unit/gpu/every_backend.h"
-#include "unit/synthesis/field_on_gpu.h"
-#include "unit/synthesis/float_range.h"
+#include "unit/shader/field_on_gpu.h"
+#include "unit/shader/float_range.h"
 
 namespace isomotion::catalogue {
 namespace {
 
-using synthesis::Probe;
+using shader::Probe;
 
 class CatalogueGlsl : public gpu::EveryBackend {
 protected:
@@ -47,7 +47,7 @@ ISOMOTION_ON_EVERY_BACKEND(CatalogueGlsl);
 struct Result {
     float gpu;
     double cpu;
-    synthesis::Range range;
+    shader::Range range;
     bool saturated, strained;
 
     bool agrees() const {
@@ -72,10 +72,10 @@ template<class Visit>
 void compare(const Used& surface, const std::vector<Probe>& probes, Visit&& visit) {
     const auto bindings = surface.bindings();
     const auto on_gpu =
-        synthesis::run_on_gpu(surface.field(), surface.at.surfaces[0].bindings, probes);
+        shader::run_on_gpu(surface.field(), surface.at.surfaces[0].bindings, probes);
     std::array<double, 3> expected{};
     for (std::size_t f = 0; f < on_gpu.size(); ++f) {
-        const auto& function = synthesis::field_functions[f];
+        const auto& function = shader::field_functions[f];
         const formula::Program& program = surface.field().*function.program;
         formula::Evaluator<double> cpu(program);
         for (std::size_t k = 0; k < probes.size(); ++k) {
@@ -83,7 +83,7 @@ void compare(const Used& surface, const std::vector<Probe>& probes, Visit&& visi
             const std::array<double, 6> inputs{at.p.x, at.p.y, at.p.z, at.d.x, at.d.y, at.d.z};
             const auto outputs = std::size_t(function.outputs);
             cpu.point(bindings, inputs, std::span(expected).first(outputs));
-            const auto ranges = synthesis::float_ranges(program, bindings, inputs);
+            const auto ranges = shader::float_ranges(program, bindings, inputs);
             for (std::size_t o = 0; o < outputs; ++o) {
                 visit(Result{on_gpu[f][k][int(o)], expected[o], ranges.outputs[o], ranges.saturated,
                              ranges.strained},

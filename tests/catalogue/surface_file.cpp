@@ -4,11 +4,11 @@
 
 #include "scene/data_folder.h"
 #include "scene/reading/document.h"
-#include "unit/synthesis/scenes.h"
+#include "unit/shader/scenes.h"
 
 namespace isomotion::catalogue {
 
-void use_source_tree() { synthesis::use_shaders_of_source_tree(); }
+void use_source_tree() { shader::use_shaders_of_source_tree(); }
 
 std::vector<Parameter> parameters_of(const std::string& surface) {
     use_source_tree();
@@ -57,7 +57,7 @@ Used used(const std::string& surface, const std::vector<Setting>& settings) {
     use_source_tree();
     std::string text = fmt::format("[surface]\nuse = \"{}\"\n[parameters]\n", surface);
     for (const auto& [name, value] : settings) text += fmt::format("{} = {}\n", name, value);
-    Used result{synthesis::scene_of(text), {}};
+    Used result{shader::scene_of(text), {}};
     result.at = scene::at_frame(result.scene, 1);
     return result;
 }

@@ -9,13 +9,13 @@
 #include "surface_file.h"
 #include "symmetry.h"
 #include "unit/gpu/every_backend.h"
-#include "unit/synthesis/field_on_gpu.h"
-#include "unit/synthesis/float_range.h"
+#include "unit/shader/field_on_gpu.h"
+#include "unit/shader/float_range.h"
 
 namespace isomotion::catalogue {
 namespace {
 
-using synthesis::Probe;
+using shader::Probe;
 
 struct Image {
     std::string generator;
@@ -71,7 +71,7 @@ public:
 private:
     double width(const glm::vec3& p) const {
         const auto range =
-            synthesis::float_ranges(field_.value, bindings_, as_inputs(glm::dvec3(p))).outputs[0];
+            shader::float_ranges(field_.value, bindings_, as_inputs(glm::dvec3(p))).outputs[0];
         return range.high - range.low;
     }
 
@@ -99,7 +99,7 @@ TEST_F(CatalogueSymmetry, IsTheRecordedOne) {
             }
         }
         const auto values =
-            synthesis::run_on_gpu(surface.field(), surface.at.surfaces[0].bindings, probes)[0];
+            shader::run_on_gpu(surface.field(), surface.at.surfaces[0].bindings, probes)[0];
 
         Tolerance tolerance(surface);
         std::vector<double> tolerances;

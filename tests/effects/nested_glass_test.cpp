@@ -9,7 +9,7 @@
 namespace isomotion::render::nested_glass_test {
 namespace {
 
-using synthesis::Channel;
+using shader::Channel;
 
 gpu::Context& context_of_nested_glass() {
     static const auto it = gpu::Context::create();

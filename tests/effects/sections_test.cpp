@@ -5,14 +5,14 @@
 #include <fmt/format.h>
 
 #include "render/drawing.h"
-#include "truth/cut_rays.h"
-#include "truth/field_at_frame.h"
-#include "truth/judge.h"
+#include "roots/cut_rays.h"
+#include "roots/field_at_frame.h"
+#include "roots/judge.h"
 
 namespace isomotion::render::sections_test {
 namespace {
 
-using synthesis::Channel;
+using shader::Channel;
 
 gpu::Context& context_of_sections() {
     static const auto it = gpu::Context::create();
@@ -50,27 +50,27 @@ struct Judged {
 Judged judged(const scene::Scene& scene, const Picture& picture, int frame = 1) {
     const scene::SceneAt now = scene::in_formula_coordinates(scene::at_frame(scene, frame));
     const int width = scene.output.width, height = scene.output.height;
-    const truth::Tubes all(now, width, height);
-    std::vector<truth::Tube> tubes;
+    const roots::Tubes all(now, width, height);
+    std::vector<roots::Tube> tubes;
     for (int k = 0; k < width * height; ++k) tubes.push_back(all.at(k % width, k / width));
-    truth::EnclosedField field(*scene.surfaces[0].field);
+    roots::EnclosedField field(*scene.surfaces[0].field);
     const auto at_frame = field.at(now.surfaces[0], 1);
-    truth::RootFinder finder = at_frame.finder();
-    std::vector<truth::FirstRoot> roots(tubes.size());
-    truth::find_first(finder, truth::Sections(now), tubes, roots);
+    roots::RootFinder finder = at_frame.finder();
+    std::vector<roots::FirstRoot> roots(tubes.size());
+    roots::find_first(finder, roots::Sections(now), tubes, roots);
     Judged judged;
     for (std::size_t k = 0; k < tubes.size(); ++k) {
         const glm::dvec3 p(value(picture, "P.X", k), value(picture, "P.Y", k),
                            value(picture, "P.Z", k));
         const bool hit = is_hit(picture, k);
         const double t = glm::dot(p - tubes[k].anchor, tubes[k].direction);
-        const truth::Fault fault = truth::judge(roots[k], hit, t, tubes[k].footprint);
-        judged.undecided += fault == truth::Fault::undecided;
-        judged.wrong += fault != truth::Fault::none && fault != truth::Fault::undecided;
+        const roots::Fault fault = roots::judge(roots[k], hit, t, tubes[k].footprint);
+        judged.undecided += fault == roots::Fault::undecided;
+        judged.wrong += fault != roots::Fault::none && fault != roots::Fault::undecided;
         judged.hits += hit;
         const int cap = int(value(picture, "cap", k));
         judged.caps += cap > 0;
-        const bool is_certain = roots[k].answer == truth::Answer::hit;
+        const bool is_certain = roots[k].answer == roots::Answer::hit;
         judged.of_other_section += is_certain && hit && (roots[k].cap >= 0) != (cap > 0);
     }
     return judged;

@@ -7,8 +7,8 @@
 
 #include "render/drawing.h"
 #include "render/exposure.h"
+#include "roots/first_root.h"
 #include "scene/method.h"
-#include "truth/first_root.h"
 
 namespace isomotion::render::shadow_test {
 namespace {
@@ -258,8 +258,8 @@ public:
         , programs_(formula::enclosure_programs(*scene.surfaces[0].field))
         , finder_(programs_, now.surfaces[0]) {}
 
-    truth::FirstRoot root(const glm::dvec3& from, const glm::dvec3& direction, double radius) {
-        truth::Tube tube;
+    roots::FirstRoot root(const glm::dvec3& from, const glm::dvec3& direction, double radius) {
+        roots::Tube tube;
         tube.anchor = from;
         tube.direction = direction;
         tube.radius = radius;
@@ -272,7 +272,7 @@ public:
         const double c =
             glm::dot(way, way) - now_.surfaces[0].bounds.radius * now_.surfaces[0].bounds.radius;
         tube.far = tube.far_inside = -b + std::sqrt(std::max(0.0, b * b - c));
-        truth::FirstRoot found;
+        roots::FirstRoot found;
         finder_.find(std::span(&tube, 1), std::span(&found, 1));
         return found;
     }
@@ -280,7 +280,7 @@ public:
 private:
     const scene::SceneAt& now_;
     formula::EnclosurePrograms programs_;
-    truth::RootFinder finder_;
+    roots::RootFinder finder_;
 };
 
 std::vector<std::string> surfaces_in_balls() {
@@ -326,10 +326,10 @@ TEST_P(CatalogueShadow, IsWhatTruthSays) {
         // hides what it touches.
         bool free = true, blocked = true;
         for (const double off : {0.05, 0.5}) {
-            const truth::FirstRoot root =
+            const roots::FirstRoot root =
                 truth.root(vector_at(picture, "P", k) + off * pixel * normal, light, 0.005 * pixel);
-            free &= root.answer == truth::Answer::miss;
-            blocked &= root.answer == truth::Answer::hit;
+            free &= root.answer == roots::Answer::miss;
+            blocked &= root.answer == roots::Answer::hit;
         }
         open += !free && !blocked;
         lit += free;

@@ -5,14 +5,14 @@
 #include <fmt/format.h>
 
 #include "render/drawing.h"
-#include "truth/certify.h"
-#include "truth/judge.h"
-#include "truth/nearest.h"
+#include "roots/certify.h"
+#include "roots/judge.h"
+#include "roots/nearest.h"
 
 namespace isomotion::render::surfaces_test {
 namespace {
 
-using synthesis::Channel;
+using shader::Channel;
 
 gpu::Context& context_of_surfaces() {
     static const auto it = gpu::Context::create();
@@ -57,20 +57,20 @@ int count_of(const Picture& picture, int surface) {
 int wrong(const scene::Scene& scene, const Picture& picture) {
     const scene::SceneAt now = scene::in_formula_coordinates(scene::at_frame(scene, 1));
     const int width = scene.output.width, height = scene.output.height;
-    const truth::Truth truth = truth::certify(scene, now, width, height);
-    const truth::Tubes tubes({now, 0}, width, height);
+    const roots::Truth truth = roots::certify(scene, now, width, height);
+    const roots::Tubes tubes({now, 0}, width, height);
     int wrong = 0;
     for (int k = 0; k < width * height; ++k) {
         const auto at = std::size_t(k);
-        const truth::Tube tube = tubes.at(k % width, k / width);
+        const roots::Tube tube = tubes.at(k % width, k / width);
         const glm::dvec3 p(value(picture, "P.X", at), value(picture, "P.Y", at),
                            value(picture, "P.Z", at));
-        const truth::FirstRoot& root = truth.roots[at];
+        const roots::FirstRoot& root = truth.roots[at];
         const bool hit = is_hit(picture, at);
         const double t = glm::dot(p - tube.anchor, tube.direction);
-        const truth::Fault fault = truth::judge(root, hit, t, tube.footprint);
-        wrong += fault != truth::Fault::none && fault != truth::Fault::undecided;
-        const bool knows = hit && root.answer == truth::Answer::hit && root.surface >= 0;
+        const roots::Fault fault = roots::judge(root, hit, t, tube.footprint);
+        wrong += fault != roots::Fault::none && fault != roots::Fault::undecided;
+        const bool knows = hit && root.answer == roots::Answer::hit && root.surface >= 0;
         wrong += knows && int(value(picture, "surface", at)) != root.surface + 1;
     }
     return wrong;

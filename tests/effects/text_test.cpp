@@ -4,9 +4,9 @@
 #include <gmock/gmock.h>
 
 #include "render/drawing.h"
-#include "synthesis/assemble.h"
+#include "shader/assemble.h"
 
-namespace isomotion::synthesis {
+namespace isomotion::shader {
 namespace {
 
 Passes passes_of(const std::string& more) {
@@ -121,4 +121,4 @@ TEST_P(EffectText, DependsOnNoValue) {
 INSTANTIATE_TEST_SUITE_P(Effects, EffectText, testing::ValuesIn(every_effect));
 
 } // namespace
-} // namespace isomotion::synthesis
+} // namespace isomotion::shader

@@ -4,7 +4,7 @@
 #include <fmt/format.h>
 
 #include "render/drawing.h"
-#include "truth/certify.h"
+#include "roots/certify.h"
 
 namespace isomotion::render::velocity_test {
 namespace {
@@ -15,8 +15,8 @@ protected:
         Renderer renderer(*context, scene,
                           {scene.output.width,
                            scene.output.height,
-                           {synthesis::Channel::normal, synthesis::Channel::position,
-                            synthesis::Channel::verdict, synthesis::Channel::velocity},
+                           {shader::Channel::normal, shader::Channel::position,
+                            shader::Channel::verdict, shader::Channel::velocity},
                            {}});
         const Motion motion = motion_about(scene, frame);
         return renderer.draw(scene::at_frame(scene, frame), {}, &motion);
@@ -97,18 +97,18 @@ TEST_P(Velocity, IsHowTheCertifiedHitMoves) {
     const Picture picture = drawn(scene, frame);
     const Motion motion = motion_about(scene, frame);
     const auto root = [&](const scene::SceneAt& at) {
-        return truth::certify(scene, at, 65, 65).roots;
+        return roots::certify(scene, at, 65, 65).roots;
     };
     const auto before = root(motion.before), after = root(motion.after);
     int compared = 0;
     for (std::size_t pixel = 0; pixel < 65 * 65; ++pixel) {
         const double cosine = value(picture, "N.X", pixel); // the rays run along -x
         if (!is_hit(picture, pixel) || std::abs(cosine) < 0.3) continue;
-        if (before[pixel].answer != truth::Answer::hit ||
-            after[pixel].answer != truth::Answer::hit) {
+        if (before[pixel].answer != roots::Answer::hit ||
+            after[pixel].answer != roots::Answer::hit) {
             continue;
         }
-        const auto t = [](const truth::FirstRoot& r) {
+        const auto t = [](const roots::FirstRoot& r) {
             return 0.5 * (double(r.low) + double(r.high));
         };
         const double along = (t(after[pixel]) - t(before[pixel])) / motion.seconds;
@@ -156,12 +156,12 @@ TEST_P(Velocity, OfSeveralIsThatOfTheSurfaceThatIsSeen) {
                              "height = 4\n[output]\nsize = [65, 65]\n";
     for (const bool first : {true, false}) {
         const scene::Scene scene = scene_of((first ? grows + moves : moves + grows) + turns + view);
-        Renderer renderer(*context, scene,
-                          {65,
-                           65,
-                           {synthesis::Channel::normal, synthesis::Channel::surface,
-                            synthesis::Channel::velocity},
-                           {}});
+        Renderer renderer(
+            *context, scene,
+            {65,
+             65,
+             {shader::Channel::normal, shader::Channel::surface, shader::Channel::velocity},
+             {}});
         const Motion motion = motion_about(scene, 20);
         const Picture picture = renderer.draw(scene::at_frame(scene, 20), {}, &motion);
         int seen[4]{};

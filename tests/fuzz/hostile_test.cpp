@@ -12,9 +12,9 @@
 
 #include "fuzz/generated_glsl.h"
 #include "scene/reading/load.h"
-#include "synthesis/assemble.h"
+#include "shader/assemble.h"
 
-namespace isomotion::synthesis {
+namespace isomotion::shader {
 namespace {
 
 using Random = std::mt19937;
@@ -297,4 +297,4 @@ TEST(HostileLoops, AreFound) {
 }
 
 } // namespace
-} // namespace isomotion::synthesis
+} // namespace isomotion::shader

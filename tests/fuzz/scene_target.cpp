@@ -3,7 +3,7 @@
 #include "fuzz/targets.h"
 #include "scene/reading/load.h"
 #include "scene/scene_at.h"
-#include "synthesis/assemble.h"
+#include "shader/assemble.h"
 
 namespace isomotion::fuzz {
 
@@ -13,8 +13,8 @@ void scene(std::string_view text) {
         for (const int frame : {1, 2, scene.timeline.frames}) {
             scene::at_frame(scene, frame);
         }
-        synthesis::assemble(scene, {synthesis::Channel::normal, synthesis::Channel::velocity});
-        synthesis::assemble(scene, {}, {synthesis::Stage::compute});
+        shader::assemble(scene, {shader::Channel::normal, shader::Channel::velocity});
+        shader::assemble(scene, {}, {shader::Stage::compute});
     } catch (const scene::SceneError& error) {
         if (base::printable(error.what()) != error.what()) {
             throw Violation("a message that commands a terminal");

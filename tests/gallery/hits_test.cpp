@@ -46,7 +46,7 @@ TEST_P(GalleryHits, AreTheFirstRootsThatDenseSamplingFinds) {
         // Only the first of several surfaces is drawn; effects/surfaces_test.cpp asks of all.
         const scene::Scene all = scene::load(name, {"look=none", "output.size=[48,48]"});
         scene::Scene scene = scene::alone({all, 0});
-        scene.sections.clear(); // truth/cut_rays_test.cpp asks of what they leave
+        scene.sections.clear(); // roots/cut_rays_test.cpp asks of what they leave
         const int frame = scene.output.poster;
         const scene::SceneAt now = scene::at_frame(scene, frame);
         const Picture picture = draw(*context, scene, frame);

@@ -33,7 +33,7 @@ TEST_P(Speed, IsThatOfChainsWhichAreAllComputed) {
     for (const int chains : {1, 2, 3, 4, 8}) {
         for (const int unrolled : {16, 32}) {
             const gpu::Program program =
-                speed_program(synthesis::Stage::fragment, {.chains = chains, .unrolled = unrolled});
+                speed_program(shader::Stage::fragment, {.chains = chains, .unrolled = unrolled});
             const gpu::Target target(8, 8);
             target.bind();
             set_rounds(program, 20'000 / unrolled);

@@ -54,7 +54,7 @@ private:
                 context_, drawn,
                 RenderOptions{drawn.output.width,
                               drawn.output.height,
-                              {synthesis::Channel::verdict, synthesis::Channel::position},
+                              {shader::Channel::verdict, shader::Channel::position},
                               {}});
         }
         return renderer->draw(now, aim);

@@ -7,7 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "image/frame.h"
-#include "synthesis/assemble.h"
+#include "shader/assemble.h"
 #include "unit/image/places.h"
 
 namespace isomotion::render {
@@ -255,7 +255,7 @@ TEST_P(ColoredPictures, EffectsShowItToo) {
     for (const char* effect : {"[fog]\ndensity = 0\n", "[ground]\nheight = -9\n"}) {
         const auto scene =
             scene_of(scene_text(fmt::format("1 - sum(p, exp(2 - 2*{}))", distance), two, effect));
-        ASSERT_TRUE(synthesis::assemble(scene).has(synthesis::Role::surface));
+        ASSERT_TRUE(shader::assemble(scene).has(shader::Role::surface));
         expect_colors(draw(*context, scene), 300,
                       [&](const Pixel& p) { return mean(two, p.position, gauss); });
     }
@@ -280,7 +280,7 @@ TEST_P(ColoredPictures, ManyElementsShowTheMeanOfThoseNearby) {
     const std::string by_gauss = fmt::format("0.3 - sum(p, exp(-40*{}))", distance);
     const auto by_place = [&](const std::string& text) {
         const auto scene = scene_of(text);
-        EXPECT_TRUE(synthesis::array_with_grid(synthesis::assemble(scene)));
+        EXPECT_TRUE(shader::array_with_grid(shader::assemble(scene)));
         return draw(*context, scene);
     };
     expect_colors(by_place(scene_text(by_hat, many, "")), 1000,

@@ -26,9 +26,9 @@ inline scene::Scene scene_of(const std::string& text,
     return scene;
 }
 
-inline const std::vector<synthesis::Channel> every_channel{
-    synthesis::Channel::depth, synthesis::Channel::normal, synthesis::Channel::position,
-    synthesis::Channel::verdict, synthesis::Channel::evaluations};
+inline const std::vector<shader::Channel> every_channel{
+    shader::Channel::depth, shader::Channel::normal, shader::Channel::position,
+    shader::Channel::verdict, shader::Channel::evaluations};
 
 inline Picture draw(gpu::Context& context, const scene::Scene& scene, int frame = 1,
                     std::optional<MarchPlan> plan = {}) {

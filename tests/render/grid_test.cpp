@@ -4,7 +4,7 @@
 
 #include "render/drawing.h"
 #include "scene/reading/load.h"
-#include "synthesis/assemble.h"
+#include "shader/assemble.h"
 
 namespace isomotion::render::grid_test {
 namespace {
@@ -62,10 +62,10 @@ Difference difference(const Picture& a, const Picture& b) {
 // Draws by a method that goes by bounds and finds first roots wherever it begins.
 Difference beside_all_elements(gpu::Context& context, scene::Scene scene) {
     scene.surfaces[0].isolation.method = scene::Method::interval;
-    EXPECT_TRUE(synthesis::array_with_grid(synthesis::assemble(scene)));
+    EXPECT_TRUE(shader::array_with_grid(shader::assemble(scene)));
     scene::Scene plain = scene;
     plain.surfaces[0].isolation.beam = false;
-    EXPECT_FALSE(synthesis::array_with_grid(synthesis::assemble(plain)));
+    EXPECT_FALSE(shader::array_with_grid(shader::assemble(plain)));
     return difference(draw(context, plain), draw(context, scene));
 }
 
@@ -179,7 +179,7 @@ TEST_P(Grid, CubicsLoseNothingOfEqualKeys) {
                  "max(0, abs(z - floor(0.5 + cz/10)) - 0.6)^2) - 0.06)",
                  100);
     ASSERT_EQ(scene.surfaces[0].isolation.method, scene::Method::hermite);
-    ASSERT_TRUE(synthesis::array_with_grid(synthesis::assemble(scene)));
+    ASSERT_TRUE(shader::array_with_grid(shader::assemble(scene)));
     scene::Scene certain = scene;
     certain.surfaces[0].isolation.method = scene::Method::interval;
     certain.surfaces[0].isolation.beam = false;

@@ -23,8 +23,8 @@ protected:
         RenderOptions options;
         options.width = scene.output.width;
         options.height = scene.output.height;
-        options.channels = {synthesis::Channel::depth, synthesis::Channel::verdict,
-                            synthesis::Channel::evaluations};
+        options.channels = {shader::Channel::depth, shader::Channel::verdict,
+                            shader::Channel::evaluations};
         options.plan = plan;
         return Renderer(*context, scene, std::move(options));
     }

@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "scene/reading/load.h"
-#include "synthesis/assemble.h"
+#include "shader/assemble.h"
 #include "thorough.h"
 
 namespace isomotion::render::lists_test {
@@ -28,7 +28,7 @@ protected:
         plain.surfaces[0].isolation.method = beams.surfaces[0].isolation.method = method;
         plain.surfaces[0].isolation.beam = false;
         beams.surfaces[0].isolation.beam = true;
-        EXPECT_EQ(synthesis::assemble(beams).arrays.at(0).has_lists, expect_lists);
+        EXPECT_EQ(shader::assemble(beams).arrays.at(0).has_lists, expect_lists);
         return difference(draw(*context, plain, frame), draw(*context, beams, frame),
                           scene::at_frame(scene, frame));
     }

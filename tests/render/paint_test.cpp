@@ -6,7 +6,7 @@
 
 #include "formula/curvature.h"
 #include "formula/hessian.h"
-#include "synthesis/assemble.h"
+#include "shader/assemble.h"
 
 namespace isomotion::render {
 namespace {
@@ -151,7 +151,7 @@ TEST_P(PaintedPictures, CurvaturesAreThoseInDouble) {
                 scene_of(subject.scene + "[output]\nsize = [80, 80]\n" + dark +
                          paint(mean ? "mean_curvature" : "gaussian_curvature",
                                fmt::format("[{}, {}]", -end, end)));
-            ASSERT_EQ(synthesis::assemble(scene).march_takes_gradient, subject.name == "long");
+            ASSERT_EQ(shader::assemble(scene).march_takes_gradient, subject.name == "long");
             const formula::Field& field = *scene.surfaces[0].field;
             const formula::Program second = formula::hessian(field);
             formula::Evaluator<double> evaluate_second(second);

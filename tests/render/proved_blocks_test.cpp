@@ -7,16 +7,16 @@
 
 #include <gtest/gtest.h>
 
-#include "synthesis/proof_text.h"
-#include "synthesis/shader_files.h"
+#include "shader/proof_text.h"
+#include "shader/shader_files.h"
 
 namespace isomotion::render::proved_blocks_test {
 namespace {
 
-constexpr int block = synthesis::proved_block;
+constexpr int block = shader::proved_block;
 
 TEST(ProvedBlocks, HaveTheCodesOfTheShaders) {
-    const std::string text = synthesis::read_shader("proof/block_outcome.glsl");
+    const std::string text = shader::read_shader("proof/block_outcome.glsl");
     EXPECT_NE(text.find("BLOCK_MISSES = -1.0;"), std::string::npos);
     EXPECT_NE(text.find("BLOCK_HITS = -2.0;"), std::string::npos);
     EXPECT_EQ(block_misses, -1.0f);

@@ -187,8 +187,8 @@ certify = true
 size = [128, 128]
 )scene",
                                                         formula));
-        std::vector<synthesis::Channel> channels = every_channel;
-        channels.push_back(synthesis::Channel::proof);
+        std::vector<shader::Channel> channels = every_channel;
+        channels.push_back(shader::Channel::proof);
         Renderer renderer(*context, scene, {128, 128, channels, {}});
         const Picture picture = renderer.draw(scene::at_frame(scene, 1));
         const auto& verdict = picture.frame.find("verdict")->samples;

@@ -7,8 +7,8 @@
 #include "gpu/compute.h"
 #include "gpu/error.h"
 #include "scene/reading/load.h"
-#include "synthesis/assemble.h"
-#include "synthesis/beam_text.h"
+#include "shader/assemble.h"
+#include "shader/beam_text.h"
 
 namespace isomotion::render {
 namespace {
@@ -25,7 +25,7 @@ protected:
     // Draws with beams in both stages or in none: compute shaders have fewer by themselves.
     Picture draw_by(StageChoice stage, scene::Scene scene, int frame,
                     std::optional<MarchPlan> plan = {}) {
-        scene.surfaces[0].isolation.beam = synthesis::uses_beams(scene);
+        scene.surfaces[0].isolation.beam = shader::uses_beams(scene);
         RenderOptions options{scene.output.width, scene.output.height, every_channel, plan};
         options.stage = stage;
         Renderer renderer(*context, scene, options);
@@ -93,7 +93,7 @@ TEST_P(StageOf, ComputeShadersSettleBlocksOfLargePictures) {
         SCOPED_TRACE(name);
         const scene::Scene scene = scene::load(name, {"look=none", "output.size=[1500,1400]"});
         const auto drawn = [&](StageChoice stage, std::optional<MarchPlan> plan) {
-            RenderOptions options{1500, 1400, {synthesis::Channel::depth}, plan};
+            RenderOptions options{1500, 1400, {shader::Channel::depth}, plan};
             options.stage = stage;
             Renderer renderer(*context, scene, options);
             return renderer.draw(scene::at_frame(scene, 31));
@@ -149,13 +149,13 @@ TEST_P(StageOf, ChangesLastBitsAtMostOfWhatIsLong) {
     const std::string surface = "[surface]\nbounds = { sphere = 1.5 }\nformula = ";
     const std::string view = "[camera]\nposition = [5, 0, 0]\n[output]\nsize = [21, 19]\n";
     const scene::Scene formula = scene_of(surface + '"' + terms + "\"\n" + view);
-    EXPECT_TRUE(synthesis::assemble(formula).march_takes_gradient);
+    EXPECT_TRUE(shader::assemble(formula).march_takes_gradient);
     expect_same(formula, 1);
     const scene::Scene array =
         scene_of(surface + "\"x^2 + y^2 + z^2 - 1 + sum(links, px*sin(x + px))\"\n" +
                  "[arrays.links]\ncount = 5000\npx = '1e-5*i'\n" + view);
-    EXPECT_EQ(synthesis::assemble(array).arrays.at(0).kind,
-              synthesis::ArrayStorage::Kind::texture_buffer);
+    EXPECT_EQ(shader::assemble(array).arrays.at(0).kind,
+              shader::ArrayStorage::Kind::texture_buffer);
     expect_same(array, 1);
 }
 
@@ -219,9 +219,8 @@ TEST_P(StageOf, FingerprintsTellStagesApart) {
     EXPECT_NE(print(StageChoice::fragment), print(StageChoice::compute));
     // The drivers of these tests are no data-centre GPUs, or this is where it shows.
     const auto here = choose_stage(StageChoice::automatic, context->info());
-    EXPECT_EQ(
-        print(StageChoice::automatic),
-        print(here == synthesis::Stage::compute ? StageChoice::compute : StageChoice::fragment));
+    EXPECT_EQ(print(StageChoice::automatic),
+              print(here == shader::Stage::compute ? StageChoice::compute : StageChoice::fragment));
 }
 
 gpu::ContextInfo driver(const char* renderer, int major, int minor, bool software = false) {
@@ -239,15 +238,15 @@ TEST(ChooseStage, AutoTakesComputeOnDataCentreGpusAlone) {
     };
     for (const char* name : {"NVIDIA H200/PCIe/SSE2", "NVIDIA H100 80GB HBM3/PCIe/SSE2",
                              "NVIDIA GH200 480GB", "NVIDIA H100"}) {
-        EXPECT_EQ(chosen(driver(name, 4, 5)), synthesis::Stage::compute) << name;
-        EXPECT_EQ(chosen(driver(name, 4, 3)), synthesis::Stage::compute) << name;
-        EXPECT_EQ(chosen(driver(name, 4, 2)), synthesis::Stage::fragment) << name;
-        EXPECT_EQ(chosen(driver(name, 4, 5, true)), synthesis::Stage::fragment) << name;
+        EXPECT_EQ(chosen(driver(name, 4, 5)), shader::Stage::compute) << name;
+        EXPECT_EQ(chosen(driver(name, 4, 3)), shader::Stage::compute) << name;
+        EXPECT_EQ(chosen(driver(name, 4, 2)), shader::Stage::fragment) << name;
+        EXPECT_EQ(chosen(driver(name, 4, 5, true)), shader::Stage::fragment) << name;
     }
     for (const char* name :
          {"llvmpipe (LLVM 15.0.6, 256 bits)", "NVIDIA GeForce RTX 4090/PCIe/SSE2", "NVIDIA H2000",
           "XH200", "Mesa Intel(R) UHD Graphics 620", ""}) {
-        EXPECT_EQ(chosen(driver(name, 4, 6)), synthesis::Stage::fragment) << name;
+        EXPECT_EQ(chosen(driver(name, 4, 6)), shader::Stage::fragment) << name;
     }
 }
 
@@ -262,11 +261,11 @@ TEST(ChooseStage, ComputeIsRefusedBelow43) {
                                                 major, minor));
         }
         EXPECT_EQ(choose_stage(StageChoice::fragment, driver("", major, minor)),
-                  synthesis::Stage::fragment);
+                  shader::Stage::fragment);
     }
     for (const auto& [major, minor] : {std::pair{4, 3}, {4, 6}, {5, 0}}) {
         EXPECT_EQ(choose_stage(StageChoice::compute, driver("", major, minor)),
-                  synthesis::Stage::compute);
+                  shader::Stage::compute);
     }
 }
 

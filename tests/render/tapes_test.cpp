@@ -8,8 +8,8 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include "synthesis/assemble.h"
-#include "synthesis/inlined_size.h"
+#include "shader/assemble.h"
+#include "shader/inlined_size.h"
 
 namespace isomotion::render::tapes_test {
 namespace {
@@ -52,7 +52,7 @@ void expect_alike(gpu::Context& context, const std::string& text, int frame = 1)
     const scene::Scene scene = scene_of(text);
     const Picture compiled = draw(context, scene, frame);
     const RunEach run;
-    ASSERT_TRUE(synthesis::assemble(scene).tapes);
+    ASSERT_TRUE(shader::assemble(scene).tapes);
     const Picture by_tapes = draw(context, scene, frame);
     EXPECT_GT(count(compiled, Verdict::hit), 20);
     EXPECT_LE(unlike(compiled, by_tapes), 2);
@@ -101,7 +101,7 @@ TEST_P(Tapes, ProofsRunThem) {
     const scene::Scene scene = scene_of(
         scene_text("max(x^2 + y^2 + z^2 - 1, abs(x) - 0.5)", "isolation.certify = true\n"));
     const RunEach run;
-    Renderer renderer(*context, scene, {48, 48, {synthesis::Channel::proof}});
+    Renderer renderer(*context, scene, {48, 48, {shader::Channel::proof}});
     const Picture picture = renderer.draw(scene::at_frame(scene, 1));
     EXPECT_GT(proved_part(picture.proofs), 0.9) << summary(picture.proofs);
 }
@@ -116,7 +116,7 @@ TEST_P(Tapes, LongFormulasAreDrawnAtOnce) {
     const std::string text = scene_text(formula + ") - 0.0016", "camera.position = [0, 0, 6]\n"
                                                                 "camera.up = [0, 1, 0]\n");
     const scene::Scene scene = scene_of(text);
-    ASSERT_GT(synthesis::assemble(scene).size_compiled, synthesis::largest_shaders());
+    ASSERT_GT(shader::assemble(scene).size_compiled, shader::largest_shaders());
     const Picture picture = draw(*context, scene);
     const std::int64_t hits = count(picture, Verdict::hit);
     EXPECT_EQ(count(picture, Verdict::hit) + count(picture, Verdict::miss), 48 * 48);
@@ -130,7 +130,7 @@ TEST_P(Tapes, FormulasOverElementsAreCompiled) {
                                         "z^2)) - 0.5\"\nsurface.bounds.sphere = 2\n"
                                         "[arrays.b]\ncount = 3\nb_x = \"i/4\"\n");
     const RunEach run;
-    EXPECT_FALSE(synthesis::assemble(scene).tapes);
+    EXPECT_FALSE(shader::assemble(scene).tapes);
     EXPECT_THROW(draw(*context, scene), std::length_error);
 }
 

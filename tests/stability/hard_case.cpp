@@ -8,8 +8,8 @@
 
 #include <fmt/format.h>
 
-#include "scene/thresholds.h"
-#include "truth/certify.h"
+#include "probe/thresholds.h"
+#include "roots/certify.h"
 
 namespace isomotion::stability {
 namespace {
@@ -81,11 +81,11 @@ scene::Scene scene_of(const std::string& text) {
 }
 
 // Truth of a case is wanted once a method.
-const truth::Truth& truth_of(const std::string& text, const scene::Scene& scene) {
-    static std::map<std::string, truth::Truth> known;
+const roots::Truth& truth_of(const std::string& text, const scene::Scene& scene) {
+    static std::map<std::string, roots::Truth> known;
     const auto [at, is_new] = known.try_emplace(text);
     if (is_new) {
-        at->second = truth::certify(scene, scene::at_frame(scene, 1), scene.output.width,
+        at->second = roots::certify(scene, scene::at_frame(scene, 1), scene.output.width,
                                     scene.output.height);
     }
     return at->second;
@@ -101,7 +101,7 @@ constexpr scene::Method by_default = scene::Isolation{}.method;
 // F times 2^k, as a scene with that formula is loaded.
 scene::Scene of_other_values(scene::Scene scene, int k) {
     const auto field = formula::scaled(*scene.surfaces[0].field, std::ldexp(1.0, k));
-    const double scale = scene::field_scale(field, scene::at_frame(scene, 1).surfaces[0]);
+    const double scale = probe::field_scale(field, scene::at_frame(scene, 1).surfaces[0]);
     scene.surfaces[0].field = std::make_shared<formula::Field>(formula::scaled(field, scale));
     return scene;
 }
@@ -173,9 +173,9 @@ Looked look(const HardCase& a_case, scene::Method method) {
 
     Looked looked;
     looked.picture = render::draw(context(), hard);
-    const truth::Truth& truth = truth_of(certain, easy);
+    const roots::Truth& truth = truth_of(certain, easy);
     looked.errors = accuracy::compare(scene::at_frame(easy, 1), looked.picture.frame, truth);
-    looked.certain_hits = truth.counts()[std::size_t(truth::Answer::hit)];
+    looked.certain_hits = truth.counts()[std::size_t(roots::Answer::hit)];
     looked.zero_gradients = render::count(looked.picture, render::Verdict::zero_gradient);
     looked.hits = render::count(looked.picture, render::Verdict::hit) + looked.zero_gradients;
 

@@ -47,7 +47,7 @@ TEST_P(Placed, GivesTheSameVerdicts) {
         scene::load(ISOMOTION_SOURCE_DIR "/animations/" + GetParam() + ".toml",
                     {"look=none", "output.size=[64, 64]"});
     const auto context = gpu::Context::create();
-    render::Renderer renderer(*context, scene, {64, 64, {synthesis::Channel::verdict}, {}});
+    render::Renderer renderer(*context, scene, {64, 64, {shader::Channel::verdict}, {}});
     const scene::SceneAt now = scene::at_frame(scene, scene.output.poster);
     const render::Picture unit = renderer.draw(now);
     EXPECT_GT(render::count(unit, render::Verdict::hit), 200);

@@ -106,7 +106,7 @@ protected:
         look_from(direction, now);
         auto& renderer = size == side ? coarse : fine;
         if (!renderer) {
-            using synthesis::Channel;
+            using shader::Channel;
             render::RenderOptions options;
             options.width = options.height = size;
             options.channels = {Channel::position, Channel::verdict};

@@ -7,7 +7,7 @@
 #include "image/frame.h"
 #include "isomotion/isomotion.h"
 #include "render/renderer.h"
-#include "synthesis/channel.h"
+#include "shader/channel.h"
 
 namespace isomotion {
 
@@ -20,7 +20,7 @@ namespace api {
 Picture picture_of(render::Picture drawn);
 image::Frame frame_of(const Picture& picture);
 // Throws Error that lists the channels.
-std::vector<synthesis::Channel> channels_of(const std::vector<std::string>& names);
+std::vector<shader::Channel> channels_of(const std::vector<std::string>& names);
 
 } // namespace api
 } // namespace isomotion

@@ -60,13 +60,13 @@ image::Frame frame_of(const Picture& picture) {
     return frame;
 }
 
-std::vector<synthesis::Channel> channels_of(const std::vector<std::string>& names) {
-    std::vector<synthesis::Channel> channels;
+std::vector<shader::Channel> channels_of(const std::vector<std::string>& names) {
+    std::vector<shader::Channel> channels;
     for (const std::string& name : names) {
-        const auto channel = synthesis::parse_channel(name);
+        const auto channel = shader::parse_channel(name);
         if (!channel) {
             std::vector<std::string_view> known;
-            for (const auto& entry : synthesis::channel_names()) known.push_back(entry.name);
+            for (const auto& entry : shader::channel_names()) known.push_back(entry.name);
             throw Error(Error::Code::input, fmt::format("there is no channel '{}'; known: {}", name,
                                                         fmt::join(known, ", ")));
         }

@@ -2,28 +2,28 @@
 
 #include "api/scene/errors.h"
 #include "api/scene/parts.h"
+#include "roots/certify.h"
 #include "scene/limits.h"
 #include "scene/scene_at.h"
-#include "truth/certify.h"
 
 namespace isomotion {
 namespace {
 
-FirstRoot::Answer answer_of(truth::Answer answer) {
+FirstRoot::Answer answer_of(roots::Answer answer) {
     switch (answer) {
-    case truth::Answer::miss:
+    case roots::Answer::miss:
         return FirstRoot::Answer::miss;
-    case truth::Answer::hit:
+    case roots::Answer::hit:
         return FirstRoot::Answer::hit;
-    case truth::Answer::touching:
+    case roots::Answer::touching:
         return FirstRoot::Answer::touching;
-    case truth::Answer::undecided:
+    case roots::Answer::undecided:
         break;
     }
     return FirstRoot::Answer::undecided;
 }
 
-FirstRoot root_of(const truth::FirstRoot& found) {
+FirstRoot root_of(const roots::FirstRoot& found) {
     return {.answer = answer_of(found.answer),
             .root = {found.low, found.high},
             .touch = {found.touch_low, found.touch_high},
@@ -41,16 +41,16 @@ std::vector<FirstRoot> first_roots(const Scene& scene, int frame, int width, int
         if (std::max(width, height) > scene::limits::picture_side)
             throw Error(Error::Code::limit, "a picture has at most 16384 pixels a side");
         const scene::Scene& all = scene.parts().scene;
-        truth::Certifying how;
+        roots::Certifying how;
         how.progress = [&](double part) {
             if (watcher.stop && watcher.stop()) api::throw_stopped();
             if (watcher.progress) watcher.progress("first roots", part);
         };
-        const truth::Truth truth = truth::certify(
+        const roots::Truth truth = roots::certify(
             all, scene::at_frame(all, api::checked_frame(frame)), width, height, how);
         std::vector<FirstRoot> roots;
         roots.reserve(truth.roots.size());
-        for (const truth::FirstRoot& found : truth.roots) roots.push_back(root_of(found));
+        for (const roots::FirstRoot& found : truth.roots) roots.push_back(root_of(found));
         return roots;
     });
 }

@@ -2,7 +2,7 @@
 
 #include "api/scene/errors.h"
 #include "api/scene/parts.h"
-#include "scene/found_bounds.h"
+#include "probe/found_bounds.h"
 #include "scene/surfaces.h"
 #include "topology/subject.h"
 #include "topology/timeline/summary.h"
@@ -60,7 +60,7 @@ topology::AnalyseOptions options_of(const topology::Subject& subject,
 
 // Bounds that had to be found hold the scene's own frames: a scene of more frames has others.
 Scene with_bounds_of_all(const Scene& scene, const TopologySettings& settings) {
-    if (settings.last <= scene.frames() || !scene::are_bounds_found(scene.parts().scene))
+    if (settings.last <= scene.frames() || !probe::are_bounds_found(scene.parts().scene))
         return scene;
     return scene.with("time.frames", settings.last);
 }

@@ -3,7 +3,7 @@
 //
 // Besides its row a function needs only a definition for each number type: in Operations<T>
 // (operations.h, interval/interval_operations.h) and for balls (arb/ball_program.cpp). A function
-// with a kernel also needs it in shaders/math/ and shaders/interval/ (synthesis/shader_files.cpp
+// with a kernel also needs it in shaders/math/ and shaders/interval/ (shader/shader_files.cpp
 // lists their files). A missing definition does not compile. A function that is composed of others
 // needs none of this: it is a row of functions.cpp, like smoothmin.
 //

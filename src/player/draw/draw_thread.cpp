@@ -9,7 +9,7 @@
 #include "gpu/error.h"
 #include "render/exposure.h"
 #include "render/renderer.h"
-#include "synthesis/finding_elements.h"
+#include "shader/finding_elements.h"
 
 namespace isomotion::player {
 namespace {
@@ -93,14 +93,14 @@ private:
     struct Kept {
         std::shared_ptr<const scene::Scene> scene;
         scene::Isolation isolation;
-        std::vector<synthesis::Channel> channels;
+        std::vector<shader::Channel> channels;
         std::vector<std::int64_t> sizes_of_change = {}; // of pictures' shaders
         std::ptrdiff_t size_class = 0;                  // how many of them pictures reach
         std::unique_ptr<render::Renderer> renderer = {};
         std::string error = {}; // instead of a renderer
 
         bool serves(const Request& request, const scene::Isolation& wanted,
-                    const std::vector<synthesis::Channel>& layers) const {
+                    const std::vector<shader::Channel>& layers) const {
             return scene == request.scene && isolation.method == wanted.method &&
                    isolation.beam == wanted.beam && isolation.certify == wanted.certify &&
                    channels == layers && size_class == size_class_of(request);
@@ -173,7 +173,7 @@ private:
         Kept made{.scene = request.scene,
                   .isolation = isolation,
                   .channels = channels,
-                  .sizes_of_change = synthesis::sizes_of_change(
+                  .sizes_of_change = shader::sizes_of_change(
                       scene, {.writes_buffers = context_.info().has(4, 3)})};
         made.size_class = made.size_class_of(request);
         const auto breaks = [&](const std::exception& error) {

@@ -90,8 +90,8 @@ double apartness(double part) {
 
 } // namespace
 
-std::vector<synthesis::Channel> channels_of(View view) {
-    using synthesis::Channel;
+std::vector<shader::Channel> channels_of(View view) {
+    using shader::Channel;
     switch (view) {
     case View::shaded:
         return {};

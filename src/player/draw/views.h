@@ -13,12 +13,12 @@
 #include "image/frame.h"
 #include "player/model/view.h"
 #include "render/renderer.h"
-#include "synthesis/channel.h"
+#include "shader/channel.h"
 
 namespace isomotion::player {
 
 // The channels that a view needs besides the colour.
-std::vector<synthesis::Channel> channels_of(View view);
+std::vector<shader::Channel> channels_of(View view);
 
 using Rgb = std::array<std::uint8_t, 3>;
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "player/model/controls.h"
-#include "scene/cubic_steps.h"
+#include "probe/cubic_steps.h"
 #include "scene/error.h"
 #include "scene/scene_at.h"
 #include "scene/surfaces.h"
@@ -14,9 +14,10 @@ namespace {
 // Those of the surface before where values leave their ranges, which is said where it is drawn.
 formula::CubicSteps steps_of(const scene::OneSurface& one) {
     try {
-        return scene::cubic_steps(one, scene::surface_at(one, one.scene.timeline.time(1)));
+        return probe::cubic_steps(one, one.surface.measured.smoothness,
+                                  scene::surface_at(one, one.scene.timeline.time(1)));
     } catch (const scene::SceneError&) {
-        return one.surface.cubic_steps;
+        return one.surface.measured.cubic_steps;
     }
 }
 
@@ -24,12 +25,12 @@ formula::CubicSteps steps_of(const scene::OneSurface& one) {
 
 scene::Scene with_own_steps(scene::Scene scene) {
     for (std::size_t k = 0; k < scene.surfaces.size(); ++k)
-        scene.surfaces[k].cubic_steps = steps_of({scene, k});
+        scene.surfaces[k].measured.cubic_steps = steps_of({scene, k});
     return scene;
 }
 
 formula::CubicSteps steps_at_slider_ends(const scene::OneSurface& one) {
-    formula::CubicSteps shortest = one.surface.cubic_steps;
+    formula::CubicSteps shortest = one.surface.measured.cubic_steps;
     const scene::Scene alone = scene::alone(one);
     for (const SliderRange& range : slider_ranges(alone)) {
         for (const double end : {range.least, range.most}) {

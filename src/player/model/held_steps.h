@@ -1,4 +1,4 @@
-// How long steps of cubics may be while sliders hold parameters (scene/cubic_steps.h): a slider may
+// How long steps of cubics may be while sliders hold parameters (probe/cubic_steps.h): a slider may
 // make waves shorter than any frame of the scene has them.
 #pragma once
 

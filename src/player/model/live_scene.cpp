@@ -71,7 +71,8 @@ LiveScene::News LiveScene::look(double now) {
         // mending that file mends the scene.
         scene_files_.watch(files_of(session.scene()));
         try {
-            session.reload(scene::load(scene::word_of(session.scene()), overrides_, reach_), now);
+            session.reload(scene::load(scene::reload_argument(session.scene()), overrides_, reach_),
+                           now);
             news.scene = true;
             scene_files_.watch(files_of(session.scene()));
             timeline_.watch(timeline_files());

@@ -24,7 +24,7 @@ void ExportSection::start(const LiveScene& live, int first, int last, glm::ivec2
                           int samples) {
     const scene::Scene& scene = live.session.scene();
     RenderOrder order;
-    order.scene = scene::word_of(scene);
+    order.scene = scene::reload_argument(scene);
     order.output = stem(scene) + ".####.png";
     order.first = first;
     order.last = last;

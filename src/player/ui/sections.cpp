@@ -221,7 +221,7 @@ void audit_lines(const audit::Findings& found) {
     ImGui::PushStyleColor(ImGuiCol_Text, error_color());
     for (const audit::WrongPixel& pixel : found.examples) {
         line(fmt::format("{}, {}", pixel.column, pixel.row).c_str(),
-             std::string(truth::words(pixel.fault)));
+             std::string(roots::words(pixel.fault)));
     }
     ImGui::PopStyleColor();
 }

@@ -15,8 +15,8 @@ void TopologySection::start(const LiveScene& scene) {
     failure_.clear();
     cancelled_ = false;
     const std::filesystem::path timeline = scene.timeline_file();
-    std::vector<std::string> words{"topology", scene::word_of(scene.session.scene()), "--quiet",
-                                   "-o", timeline.string()};
+    std::vector<std::string> words{"topology", scene::reload_argument(scene.session.scene()),
+                                   "--quiet", "-o", timeline.string()};
     for (const scene::Override& setting : scene.overrides()) {
         words.insert(words.end(), {"--set", setting});
     }

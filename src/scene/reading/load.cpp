@@ -16,10 +16,10 @@
 #include "base/nearest_name.h"
 #include "base/printable.h"
 #include "formula/graph/degree.h"
-#include "scene/cubic_steps.h"
+#include "probe/found_bounds.h"
+#include "probe/measured.h"
+#include "probe/thresholds.h"
 #include "scene/data_folder.h"
-#include "scene/elements_at_a_place.h"
-#include "scene/found_bounds.h"
 #include "scene/limits.h"
 #include "scene/reading/camera.h"
 #include "scene/reading/environment.h"
@@ -39,8 +39,6 @@
 #include "scene/reading/surface.h"
 #include "scene/reading/surface_list.h"
 #include "scene/reading/surfer.h"
-#include "scene/regions.h"
-#include "scene/thresholds.h"
 
 namespace isomotion::scene {
 namespace fs = std::filesystem;
@@ -244,11 +242,11 @@ constexpr double wall_part = 0x1p-15;
 // Values that float32 doesn't hold well are multiplied by a power of two.
 void rescale(SurfaceParts& parts, const SurfaceAt& first) {
     Surface& surface = parts.surface;
-    const double scale = field_scale(*surface.field, first);
+    const double scale = probe::field_scale(*surface.field, first);
     if (scale != 1) {
         surface.field = std::make_shared<formula::Field>(formula::scaled(*surface.field, scale));
     }
-    const Float32Loss loss = float32_loss(*surface.field, first);
+    const probe::Float32Loss loss = probe::float32_loss(*surface.field, first);
     if (loss.part <= 0.9) return;
     const double size = std::abs(loss.example);
     const bool is_held = size > 1e-30 && size < 1e30; // only parts of the formula are not
@@ -269,7 +267,7 @@ bool lacks_bounds(toml::table& root) {
            !surface->contains("bounds");
 }
 
-void put_bounds(toml::table& root, const FoundBounds& found) {
+void put_bounds(toml::table& root, const probe::FoundBounds& found) {
     toml::array centre{found.centre.x, found.centre.y, found.centre.z};
     toml::table ball{{"sphere", found.radius}};
     if (found.centre != glm::dvec3(0)) ball.insert("centre", centre);
@@ -337,14 +335,11 @@ Scene read_document_scene(toml::table& root, const fs::path& file, const base::C
     const SurfaceAt& first = now.surfaces.front();
     if (reading != Reading::whole) return scene;
     Isolation& isolation = surface.isolation;
-    surface.smoothness = smoothness(*surface.field, regions(scene, first));
-    surface.cubic_steps = cubic_steps(scene, first);
-    if (isolation.method == Method::hermite && !isolation.certify)
-        surface.elements_at_a_place = elements_at_a_place(scene);
+    surface.measured = probe::measured(scene, first);
     if (!given.step) isolation.step = first.bounds.radius / 100;
     if (!given.near || !given.far || !given.horizon) {
-        const double slope = field_slope(*surface.field, first);
-        const Thresholds found = field_thresholds(slope, isolation.step);
+        const double slope = probe::field_slope(*surface.field, first);
+        const probe::Thresholds found = probe::field_thresholds(slope, isolation.step);
         if (!given.near) isolation.near = found.near;
         if (!given.far) isolation.far = std::max(found.far, isolation.near);
         if (!given.horizon) isolation.horizon = found.horizon;
@@ -366,10 +361,10 @@ Scene read_with_bounds(toml::table& root, const fs::path& file, const base::Conf
                        std::set<std::string>* for_others) {
     if (!lacks_bounds(root))
         return read_document_scene(root, file, within, Reading::whole, for_others);
-    put_bounds(root, {glm::dvec3(0), FoundBounds::reach});
+    put_bounds(root, {glm::dvec3(0), probe::FoundBounds::reach});
     const Scene boundless =
         read_document_scene(root, file, within, Reading::for_bounds, for_others);
-    const std::optional<FoundBounds> found = find_bounds(boundless);
+    const std::optional<probe::FoundBounds> found = probe::find_bounds(boundless);
     if (!found) {
         fail(*root["surface"].as_table(), "surface.bounds",
              "is missing, and looking for the surface of so many elements or frames would take "
@@ -391,7 +386,7 @@ Scene read_one(toml::table& root, const fs::path& file, const base::Confines& wi
     } catch (const PlacedError& first) {
         throw all_mistakes(root, first, [&](Rereading again) {
             // Bounds may not have been looked for yet.
-            if (lacks_bounds(root)) put_bounds(root, {glm::dvec3(0), FoundBounds::reach});
+            if (lacks_bounds(root)) put_bounds(root, {glm::dvec3(0), probe::FoundBounds::reach});
             read_document_scene(root, file, within,
                                 again == Rereading::all ? Reading::for_bounds
                                                         : Reading::without_unused,

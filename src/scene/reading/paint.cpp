@@ -4,8 +4,8 @@
 
 #include "base/nearest_name.h"
 #include "formula/graph/parser.h"
+#include "probe/shown_range.h"
 #include "scene/limits.h"
-#include "scene/shown_range.h"
 
 namespace isomotion::scene {
 namespace {
@@ -96,10 +96,10 @@ Paint make_paint(const PaintParts& parts, const SurfaceParts& surface) {
 void find_shown_range(const PaintParts& parts, const OneSurface& one, Paint& paint) {
     if (!parts.shown_node) return;
     try {
-        const ShownRange shown = shown_range(one, *paint.value);
+        const probe::ShownRange shown = probe::shown_range(one, *paint.value);
         paint.shown = shown.range;
         paint.met = shown.met;
-    } catch (const NoRange& error) {
+    } catch (const probe::NoRange& error) {
         fail(*parts.shown_node, parts.range_key, error.what());
     }
 }

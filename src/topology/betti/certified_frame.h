@@ -40,7 +40,7 @@ struct FrameLimits {
     int depth = 14; // at most 14
     int boxes = 4'000'000;
     std::size_t cells = std::size_t(-1); // at most, and no more than cells take anyway
-    std::function<bool()> stopped{}; // called often; once it returns true nothing is proved
+    std::function<bool()> stopped{};     // called often; once it returns true nothing is proved
 };
 
 CertifiedFrame certify_frame(const SpaceFormula& formula, const scene::BoundsAt& bounds,

@@ -6,7 +6,7 @@
 namespace isomotion::bench {
 namespace {
 
-using synthesis::Channel;
+using shader::Channel;
 
 constexpr std::array every_known{Known::nothing, Known::by_pixel, Known::last_starts,
                                  Known::own_starts, Known::own_by_pixel};

@@ -7,14 +7,14 @@
 
 #include "accuracy/truth_cache.h"
 #include "formula/graph/program.h"
-#include "synthesis/assemble.h"
-#include "truth/tube.h"
+#include "roots/tube.h"
+#include "shader/assemble.h"
 
 namespace isomotion::bench {
 namespace {
 
 using accuracy::Setting;
-using synthesis::Channel;
+using shader::Channel;
 
 constexpr double minute = 60e3; // ms
 
@@ -80,7 +80,7 @@ Certified certified(Subject subject, int size, const std::filesystem::path& cach
                     const Progress& progress) {
     Certified on = uncertified(std::move(subject), size);
     for (const scene::SceneAt& now : on.frames) {
-        truth::Certifying certifying;
+        roots::Certifying certifying;
         certifying.progress = [&](double part) {
             if (progress) progress((double(on.truths.size()) + part) / double(on.frames.size()));
         };
@@ -109,10 +109,10 @@ Count count(gpu::Context& context, const Certified& on, const Setting& how) {
 std::int64_t rays(const Certified& on) {
     std::int64_t meeting = 0;
     for (const scene::SceneAt& now : on.frames) {
-        const truth::Tubes tubes(now, on.width(), on.height());
+        const roots::Tubes tubes(now, on.width(), on.height());
         for (int row = 0; row < on.height(); ++row) {
             for (int column = 0; column < on.width(); ++column) {
-                const truth::Tube tube = tubes.at(column, row);
+                const roots::Tube tube = tubes.at(column, row);
                 meeting += tube.near <= tube.far;
             }
         }
@@ -123,17 +123,17 @@ std::int64_t rays(const Certified& on) {
 double operations(const scene::Scene& scene, scene::Method method) {
     scene::Scene with = scene;
     with.surfaces[0].isolation.method = method;
-    const synthesis::Passes passes = synthesis::assemble(with);
+    const shader::Passes passes = shader::assemble(with);
     std::vector<int> counts;
     for (const auto& array : passes.arrays) counts.push_back(array.capacity);
     // Other methods ask for bounds of F only where samples leave doubt.
-    std::vector<synthesis::FieldFunction> of_a_sample = passes.samples;
+    std::vector<shader::FieldFunction> of_a_sample = passes.samples;
     if (scene::traits(method).steps != scene::Steps::bounds) {
-        std::erase_if(of_a_sample, [](synthesis::FieldFunction function) {
-            return function != synthesis::FieldFunction::rough && is_on_intervals(function);
+        std::erase_if(of_a_sample, [](shader::FieldFunction function) {
+            return function != shader::FieldFunction::rough && is_on_intervals(function);
         });
     }
-    return synthesis::cost(*scene.surfaces[0].field, passes, of_a_sample, counts).operations;
+    return shader::cost(*scene.surfaces[0].field, passes, of_a_sample, counts).operations;
 }
 
 double ratio(const Timing& slow, const Timing& fast) {

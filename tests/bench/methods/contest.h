@@ -22,7 +22,7 @@ namespace isomotion::bench {
 struct Certified {
     Subject subject; // output of the size
     std::vector<scene::SceneAt> frames;
-    std::vector<truth::Truth> truths; // empty where only time is asked for
+    std::vector<roots::Truth> truths; // empty where only time is asked for
 
     int width() const { return subject.scene.output.width; }
     int height() const { return subject.scene.output.height; }

@@ -20,7 +20,7 @@ double operations_a_second(const Chains& chains) {
 
 } // namespace
 
-Chains::Chains(synthesis::Stage stage, const render::SpeedChains& chains)
+Chains::Chains(shader::Stage stage, const render::SpeedChains& chains)
     : stage_(stage)
     , chains_(chains)
     , target_(size, size)
@@ -30,9 +30,9 @@ Chains::Chains(synthesis::Stage stage, const render::SpeedChains& chains)
 
 void Chains::begin(int rounds) const {
     render::set_rounds(program_, rounds);
-    if (stage_ == synthesis::Stage::compute) {
+    if (stage_ == shader::Stage::compute) {
         gpu::bind_image(target_.texture(0), 0);
-        gpu::dispatch(glm::ivec2(size / synthesis::workgroup_side));
+        gpu::dispatch(glm::ivec2(size / shader::workgroup_side));
     } else {
         target_.bind();
         fullscreen_.draw();
@@ -57,7 +57,7 @@ int Chains::rounds_of(double wanted) const {
 
 double Chains::operations_of_a_round() const { return chains_.operations_of_a_round(size * size); }
 
-double peak_operations(gpu::Context& context, synthesis::Stage stage) {
+double peak_operations(gpu::Context& context, shader::Stage stage) {
     double best = 0;
     for (const bool function : {false, true}) {
         if (function && context.info().major < 4) continue;
@@ -70,7 +70,7 @@ double peak_operations(gpu::Context& context, synthesis::Stage stage) {
     return best;
 }
 
-Load::Load(synthesis::Stage stage)
+Load::Load(shader::Stage stage)
     : chains_(stage, {.unrolled = 32})
     , rounds_(chains_.rounds_of(0.1)) {}
 

@@ -6,14 +6,14 @@
 #include "gpu/program.h"
 #include "gpu/target.h"
 #include "render/arithmetic_speed.h"
-#include "synthesis/stage.h"
+#include "shader/stage.h"
 
 namespace isomotion::bench {
 
 // Independent chains of multiply-adds over a picture.
 class Chains {
 public:
-    Chains(synthesis::Stage stage, const render::SpeedChains& chains);
+    Chains(shader::Stage stage, const render::SpeedChains& chains);
 
     // Computes so many rounds, and does not wait for them.
     void begin(int rounds) const;
@@ -24,7 +24,7 @@ public:
     double operations_of_a_round() const;
 
 private:
-    synthesis::Stage stage_;
+    shader::Stage stage_;
     render::SpeedChains chains_;
     gpu::Target target_;
     gpu::Program program_;
@@ -33,13 +33,13 @@ private:
 
 // Floating-point operations a second of independent chains of multiply-adds, two operations each:
 // the best of several numbers of chains, with and without the function fma.
-double peak_operations(gpu::Context& context, synthesis::Stage stage = synthesis::Stage::fragment);
+double peak_operations(gpu::Context& context, shader::Stage stage = shader::Stage::fragment);
 
 // Keeps a graphics card at the clock that it has under load: one that waits for the processor
 // between pictures lowers it.
 class Load {
 public:
-    explicit Load(synthesis::Stage stage);
+    explicit Load(shader::Stage stage);
 
     // Computes for some milliseconds, and does not wait for it.
     void begin() const { chains_.begin(rounds_); }

@@ -49,7 +49,7 @@ double ms_since(Clock::time_point start) {
 std::unique_ptr<render::Renderer> renderer_of(gpu::Context& context, scene::Scene scene,
                                               const std::string& method) {
     if (!method.empty()) scene.surfaces[0].isolation.method = scene::parse_method(method).value();
-    using synthesis::Channel;
+    using shader::Channel;
     const std::vector channels{Channel::normal, Channel::position, Channel::verdict,
                                Channel::evaluations};
     return std::make_unique<render::Renderer>(context, scene,
@@ -84,8 +84,8 @@ Trial attempt(gpu::Context& context, const std::string& text, const Arguments& a
         beside->draw(now);
         trial.beside_ms = std::min(trial.beside_ms, ms_since(start));
     }
-    const truth::Truth truth =
-        truth::certify(scene, now, scene.output.width, scene.output.height, {});
+    const roots::Truth truth =
+        roots::certify(scene, now, scene.output.width, scene.output.height, {});
     trial.errors = accuracy::compare(now, picture.frame, truth);
     trial.evaluations = double(picture.evaluations());
     return trial;

@@ -4,8 +4,8 @@
 
 #include "gpu/draw.h"
 #include "gpu/target.h"
-#include "synthesis/shader_files.h"
-#include "synthesis/shader_text.h"
+#include "shader/shader_files.h"
+#include "shader/shader_text.h"
 #include "unit/gpu/every_backend.h"
 
 namespace isomotion::effects {
@@ -14,8 +14,8 @@ namespace {
 constexpr int width = 256;
 
 std::string shader(const std::string& file, const std::string& call) {
-    synthesis::ShaderText text;
-    for (const std::string& kernel : synthesis::kernel_files({"pow"})) text.file(kernel);
+    shader::ShaderText text;
+    for (const std::string& kernel : shader::kernel_files({"pow"})) text.file(kernel);
     text.file("effects/" + file);
     text.generated("a place a pixel", R"(
 uniform sampler2D normals, viewers, lights;

@@ -17,7 +17,8 @@ TEST(BackendName, ReadsBackWhatItWrites) {
         parse_backend("vulkan");
         FAIL() << "an unknown name was accepted";
     } catch (const std::invalid_argument& error) {
-        EXPECT_STREQ(error.what(), "unknown back end 'vulkan': it is one of auto, egl, osmesa, glfw");
+        EXPECT_STREQ(error.what(),
+                     "unknown back end 'vulkan': it is one of auto, egl, osmesa, glfw");
     }
 }
 

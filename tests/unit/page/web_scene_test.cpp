@@ -14,9 +14,9 @@
 #include "page/frame_values.h"
 #include "scene/error.h"
 #include "scene/reading/load.h"
-#include "synthesis/assemble.h"
-#include "synthesis/beam_copies_text.h"
-#include "synthesis/inlined_size.h"
+#include "shader/assemble.h"
+#include "shader/beam_copies_text.h"
+#include "shader/inlined_size.h"
 
 namespace isomotion::page {
 namespace {
@@ -61,9 +61,9 @@ TEST(WebScene, RefusesTooManyElementsAndSaysHowManyFit) {
 
 TEST(WebScene, IsOfGlslEsWithoutListsProofsOrBuffers) {
     const WebScene web = web_scene(scene_of(balls(900) + "[isolation]\ncertify = true\n"));
-    EXPECT_FALSE(web.surfaces[0].passes.has(synthesis::Role::proof));
+    EXPECT_FALSE(web.surfaces[0].passes.has(shader::Role::proof));
     ASSERT_FALSE(web.surfaces[0].passes.list.empty());
-    for (const synthesis::Pass& pass : web.surfaces[0].passes.list) {
+    for (const shader::Pass& pass : web.surfaces[0].passes.list) {
         SCOPED_TRACE(pass.name);
         EXPECT_THAT(pass.text, StartsWith("#version 300 es\n"));
         EXPECT_THAT(pass.vertex, StartsWith("#version 300 es\n"));
@@ -84,7 +84,7 @@ scene::Scene several(const std::string& more = "") {
 }
 
 TEST(WebScene, OfSeveralSurfacesHasThePassesOfEach) {
-    using synthesis::Role;
+    using shader::Role;
     const WebScene plain = web_scene(several());
     ASSERT_EQ(plain.surfaces.size(), 2u);
     EXPECT_EQ(plain.scene->surfaces.size(), 2u);
@@ -105,7 +105,7 @@ TEST(WebScene, OfSeveralSurfacesHasThePassesOfEach) {
 
 // One that takes more than a draw has others drawn in passes, too.
 TEST(WebScene, SurfacesAreAllDrawnInOneDrawEachOrNone) {
-    using synthesis::Role;
+    using shader::Role;
     scene::Scene scene = several();
     scene.surfaces[1].material.model = scene::Material::Model::ggx;
     const WebScene web = web_scene(std::move(scene));
@@ -126,7 +126,7 @@ TEST(WebScene, RefusesGlassAmongSeveralSurfaces) {
     }
     const WebScene alone = web_scene(scene_of("formula = 'x^2 + y^2 + z^2 - 1'\nbounds = { sphere "
                                               "= 2 }\n[material]\ntransmission = 1\n"));
-    EXPECT_TRUE(alone.surfaces[0].passes.has(synthesis::Role::glass));
+    EXPECT_TRUE(alone.surfaces[0].passes.has(shader::Role::glass));
 }
 
 TEST(FrameValues, OfSeveralSurfacesHaveTheirRowsAndOneCamera) {
@@ -182,26 +182,25 @@ TEST(Description, ReadsNoTimelineOfSeveralSurfaces) {
 
 // Beams tell which elements matter, and a pass copies those, where all rays begin at the eye.
 TEST(WebScene, UpTo384ElementsAreCopiedToListsOfBeams) {
-    using synthesis::Role;
+    using shader::Role;
     for (const int count : {9, 32, 33, 75, 129, 384}) {
         SCOPED_TRACE(count);
-        const synthesis::Passes passes = web_scene(scene_of(balls(count))).surfaces[0].passes;
-        EXPECT_TRUE(synthesis::has_copies(passes));
-        EXPECT_FALSE(synthesis::array_with_grid(passes));
+        const shader::Passes passes = web_scene(scene_of(balls(count))).surfaces[0].passes;
+        EXPECT_TRUE(shader::has_copies(passes));
+        EXPECT_FALSE(shader::array_with_grid(passes));
         // From many elements on in three levels, as `render` finds them.
         ASSERT_EQ(passes.beams.size(), count <= 32 ? 2u : 3u);
         const int last = int(passes.beams.size()) - 1;
         // A beam and its bits are drawn at once; browsers have 8 textures for that, of which WebGL2
         // promises 4.
         const int texels = (count + 127) / 128;
-        EXPECT_EQ(synthesis::masks_of_level(passes, passes.beams.back()), texels);
+        EXPECT_EQ(shader::masks_of_level(passes, passes.beams.back()), texels);
         const auto reads = [&](Role role, int level) {
             const std::vector<std::string>& samplers = passes.at(role, level).samplers;
             return std::ranges::count(samplers, "array0_lists") == 1;
         };
         for (int level = 0; level < last; ++level) {
-            EXPECT_EQ(synthesis::masks_of_level(passes, passes.beams[std::size_t(level)]),
-                      2 * texels);
+            EXPECT_EQ(shader::masks_of_level(passes, passes.beams[std::size_t(level)]), 2 * texels);
         }
         for (const Role role : {Role::beams, Role::beam_copies}) {
             EXPECT_FALSE(reads(role, 0)) << "these go through all";
@@ -211,14 +210,14 @@ TEST(WebScene, UpTo384ElementsAreCopiedToListsOfBeams) {
     }
     for (const std::string& scene :
          {balls(8), balls(385), balls(75) + "[[lights]]\ndirection = [1, 0, 0]\nshadow = true\n"})
-        EXPECT_FALSE(synthesis::has_copies(web_scene(scene_of(scene)).surfaces[0].passes)) << scene;
+        EXPECT_FALSE(shader::has_copies(web_scene(scene_of(scene)).surfaces[0].passes)) << scene;
 }
 
 // Rows of 16 elements, the last place of a list for its length.
 TEST(WebScene, ListsOfTheFirstBeamsHaveRoomForAllElements) {
     for (const int count : {9, 15, 16, 75, 383, 384}) {
         SCOPED_TRACE(count);
-        const synthesis::Passes passes = web_scene(scene_of(balls(count))).surfaces[0].passes;
+        const shader::Passes passes = web_scene(scene_of(balls(count))).surfaces[0].passes;
         const int texels = passes.arrays[0].texels;
         EXPECT_GE(rows_of_copies(passes, 0) * 16 / texels, count + 1);
         EXPECT_LT(rows_of_copies(passes, 0) * 16 / texels, count + 17);
@@ -246,12 +245,12 @@ TEST(WebScene, ListsFitIntoTheTexturesThatEveryBrowserHas) {
           std::pair{384, 2}, std::pair{384, 3}, std::pair{384, 4}, std::pair{128, 5}}) {
         SCOPED_TRACE(fmt::format("{} elements of {} texels", count, texels));
         const WebScene web = web_scene(scene_of(balls_of_texels(count, texels)));
-        const synthesis::Passes& passes = web.surfaces[0].passes;
+        const shader::Passes& passes = web.surfaces[0].passes;
         ASSERT_EQ(passes.arrays[0].texels, texels);
-        ASSERT_TRUE(synthesis::has_copies(passes));
+        ASSERT_TRUE(shader::has_copies(passes));
         int rows = 0;
         for (std::size_t level = 0; level < passes.beams.size(); ++level) {
-            const synthesis::BeamLevel& beam = passes.beams[level];
+            const shader::BeamLevel& beam = passes.beams[level];
             const int across =
                 (web.surfaces[0].plan.march.tile_width + beam.block - 1) / beam.block;
             EXPECT_LE(16 * lists_of_a_block(beam) * across, 2048);
@@ -263,26 +262,26 @@ TEST(WebScene, ListsFitIntoTheTexturesThatEveryBrowserHas) {
 
 // And where they don't, rays find elements by place, which needs no such texture.
 TEST(WebScene, ListsThatWouldNotFitAreNotMade) {
-    using synthesis::Role;
+    using shader::Role;
     for (const auto& [count, texels] : {std::pair{100, 8}, std::pair{384, 6}, std::pair{128, 12}}) {
         SCOPED_TRACE(fmt::format("{} elements of {} texels", count, texels));
-        const synthesis::Passes passes =
+        const shader::Passes passes =
             web_scene(scene_of(balls_of_texels(count, texels))).surfaces[0].passes;
-        EXPECT_TRUE(synthesis::array_with_grid(passes) || synthesis::copies_fit(passes));
-        EXPECT_EQ(passes.has(Role::beam_copies), synthesis::has_copies(passes));
-        for (const synthesis::BeamLevel& level : passes.beams)
-            EXPECT_EQ(level.lists != synthesis::BeamLists::none, synthesis::has_copies(passes));
+        EXPECT_TRUE(shader::array_with_grid(passes) || shader::copies_fit(passes));
+        EXPECT_EQ(passes.has(Role::beam_copies), shader::has_copies(passes));
+        for (const shader::BeamLevel& level : passes.beams)
+            EXPECT_EQ(level.lists != shader::BeamLists::none, shader::has_copies(passes));
     }
     EXPECT_FALSE(
-        synthesis::has_copies(web_scene(scene_of(balls_of_texels(384, 12))).surfaces[0].passes));
+        shader::has_copies(web_scene(scene_of(balls_of_texels(384, 12))).surfaces[0].passes));
 }
 
 // A page that keeps no lists has fewer operations than `render` would compile.
 TEST(WebScene, IsRefusedByTheLengthOfItsOwnShaders) {
     const scene::Scene scene = scene_of(balls_of_texels(12, 60));
-    const double largest = synthesis::largest_shaders();
-    EXPECT_GT(synthesis::inlined_size(synthesis::assemble(scene)), largest);
-    EXPECT_LT(synthesis::inlined_size(web_scene(scene).surfaces[0].passes), largest);
+    const double largest = shader::largest_shaders();
+    EXPECT_GT(shader::inlined_size(shader::assemble(scene)), largest);
+    EXPECT_LT(shader::inlined_size(web_scene(scene).surfaces[0].passes), largest);
     std::string waves = "x";
     for (int k = 1; k < 700; ++k) waves += fmt::format(" + sin({}*y)*cos({}.5*z)", k, k);
     const std::string text = fmt::format("formula = '{}'\nbounds = {{ sphere = 2 }}\n", waves);
@@ -319,7 +318,7 @@ TEST(FrameValues, HaveARowForEachMomentOfMotionBlur) {
 
 TEST(FrameValues, HaveAGridOfElementsThatAreFoundByPlace) {
     const WebScene web = web_scene(scene_of(balls(400) + "[time]\nframes = 2\n"));
-    ASSERT_TRUE(synthesis::array_with_grid(web.surfaces[0].passes));
+    ASSERT_TRUE(shader::array_with_grid(web.surfaces[0].passes));
     EXPECT_FALSE(frame_values(web)[0].grids.empty());
     EXPECT_TRUE(frame_values(web_scene(scene_of(balls(20))))[0].grids.empty());
 }

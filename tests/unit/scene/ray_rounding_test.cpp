@@ -8,17 +8,17 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include "truth/drawn_ray.h"
+#include "roots/drawn_ray.h"
 #include "unit/formula/exact.h"
 
 namespace isomotion::scene::ray_rounding_test {
 namespace {
 
 using formula::Exact;
-using truth::DrawnRay;
-using truth::Driver;
-using truth::Random;
-using truth::Uniforms;
+using roots::DrawnRay;
+using roots::Driver;
+using roots::Random;
+using roots::Uniforms;
 
 using ExactVector = std::array<Exact, 3>;
 

@@ -131,7 +131,6 @@ TEST(Surfaces, TheCameraSeesAll) {
 TEST(Surfaces, OneInTheListIsASceneOfOne) {
     const Scene scene = read("[[surfaces]]\nformula = \"x^2 + y^2 + z^2 - 1\"\n");
     EXPECT_EQ(scene.surfaces.size(), 1);
-    EXPECT_NO_THROW(expect_one_surface(scene, "a page"));
 }
 
 TEST(Surfaces, AreSetByNameAndNumber) {
@@ -151,12 +150,6 @@ TEST(Surfaces, OneAloneIsASceneOfItsOwn) {
     EXPECT_EQ(surface_names(ring), std::vector<std::string>{"ring"});
     EXPECT_NO_THROW(at_frame(ring, 1));
     EXPECT_THROW(surface_named(scene, "rung"), SceneError);
-    try {
-        expect_one_surface(scene, "a page");
-        FAIL();
-    } catch (const SceneError& error) {
-        EXPECT_THAT(error.what(), HasSubstr("2 surfaces (ball, ring), and a page knows one"));
-    }
 }
 
 // Each surface's animation has the tracks of what all share, at other places.

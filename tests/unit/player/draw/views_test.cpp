@@ -301,13 +301,13 @@ TEST(DifferenceView, OfPicturesWithoutAHitIsQuiet) {
 
 TEST(Views, SayWhatTheyNeed) {
     const Frame colour = image::plain(2, 2, 0.5f, 0.5f, 0.5f);
-    const auto& known = synthesis::channel_names();
+    const auto& known = shader::channel_names();
     for (const auto& entry : view_names) {
         SCOPED_TRACE(entry.name);
         EXPECT_EQ(name(entry.view), entry.name);
         // With the channels it asks for a view can be shown, without any of them it cannot.
         Frame whole = colour;
-        for (const synthesis::Channel channel : channels_of(entry.view)) {
+        for (const shader::Channel channel : channels_of(entry.view)) {
             for (const std::string_view layer : known[std::size_t(channel)].layers) {
                 whole.channels.push_back({std::string(layer), std::vector<float>(4, 1)});
             }

@@ -38,7 +38,7 @@ TEST(HeldSteps, FollowASlider) {
     session.set(look);
     const formula::CubicSteps held = session.at(1).surfaces[0].cubic_steps;
     EXPECT_LT(held.first, 0.5 * own.first);
-    EXPECT_EQ(held, loaded(text, {"k=40"}).surfaces[0].cubic_steps);
+    EXPECT_EQ(held, loaded(text, {"k=40"}).surfaces[0].measured.cubic_steps);
     look.camera = session.at(1).camera; // a camera changes none
     session.set(look);
     EXPECT_EQ(session.at(1).surfaces[0].cubic_steps, held);
@@ -70,11 +70,11 @@ TEST(HeldSteps, AtSliderEndsAreTheShortest) {
     const std::string text = "[surface]\n" + waves + "[parameters]\n" + ranges;
     const formula::CubicSteps ends = steps_at_slider_ends(loaded(text));
     for (const char* value : {"k=1", "k=2", "k=40"}) {
-        const formula::CubicSteps steps = loaded(text, {value}).surfaces[0].cubic_steps;
+        const formula::CubicSteps steps = loaded(text, {value}).surfaces[0].measured.cubic_steps;
         EXPECT_LE(ends.first, steps.first);
         EXPECT_LE(ends.longest, steps.longest);
     }
-    EXPECT_EQ(ends.first, loaded(text, {"k=40"}).surfaces[0].cubic_steps.first);
+    EXPECT_EQ(ends.first, loaded(text, {"k=40"}).surfaces[0].measured.cubic_steps.first);
 }
 
 } // namespace

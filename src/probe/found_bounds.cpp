@@ -1,0 +1,228 @@
+#include "probe/found_bounds.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+#include <vector>
+
+#include "formula/enclosure.h"
+#include "formula/interval/interval_operations.h"
+#include "scene/error.h"
+#include "scene/scene_at.h"
+
+namespace isomotion::probe {
+namespace {
+
+using scene::OneSurface, scene::Scene, scene::SceneError, scene::Surface;
+
+using formula::Interval;
+
+struct Box {
+    glm::dvec3 low, high;
+};
+
+Box hull(const Box& a, const Box& b) { return {glm::min(a.low, b.low), glm::max(a.high, b.high)}; }
+
+constexpr Box everywhere{glm::dvec3(-FoundBounds::reach), glm::dvec3(FoundBounds::reach)};
+
+// Operations on intervals, of all groups of frames together; operations of the frames' values; and
+// boxes that are looked at in turn.
+constexpr double most_evaluated = 1e8, most_of_frames = 3e7;
+constexpr std::size_t most_boxes = 80'000;
+constexpr int groups = 16;
+
+using Values = formula::Bindings<Interval>;
+
+bool has_same_counts(const Values& a, const Values& b) {
+    return std::ranges::equal(a.arrays, b.arrays, {}, &formula::ArrayColumns<Interval>::count,
+                              &formula::ArrayColumns<Interval>::count);
+}
+
+void cover(std::vector<Interval>& all, const std::vector<Interval>& more) {
+    for (std::size_t k = 0; k < all.size(); ++k) all[k] = formula::hull(all[k], more[k]);
+}
+
+void cover(Values& all, const Values& more) {
+    cover(all.parameters, more.parameters);
+    for (std::size_t a = 0; a < all.arrays.size(); ++a) {
+        for (std::size_t f = 0; f < all.arrays[a].fields.size(); ++f)
+            cover(all.arrays[a].fields[f], more.arrays[a].fields[f]);
+    }
+}
+
+// What moves between two frames is looked at there, too.
+constexpr int parts_of_frame = 4;
+
+// What names stand for at all frames, neighbours together; none if that takes long.
+std::optional<std::vector<Values>> values_of_frames(const OneSurface& one) {
+    const animation::Animation& animation = one.surface.animation;
+    double each = 100;
+    for (std::size_t a = 0; a < animation.arrays().size(); ++a) each += animation.operations(a);
+    const int frames = one.scene.timeline.frames;
+    if (each * frames > most_of_frames) return std::nullopt;
+    const int parts = each * frames * parts_of_frame > most_of_frames ? 1 : parts_of_frame;
+    const int moments = (frames - 1) * parts + 1, together = (moments + groups - 1) / groups;
+    std::vector<Values> all;
+    for (int moment = 0; moment < moments; ++moment) {
+        Values now;
+        try {
+            const double part = double(moment % parts) / parts;
+            const double time = one.scene.timeline.time(1 + moment / parts, part);
+            now = formula::convert<Interval>(surface_at(one, time).bindings);
+        } catch (const SceneError&) { // said where the frame is drawn
+            continue;
+        }
+        const bool is_next = all.empty() || moment % together == 0;
+        if (is_next || !has_same_counts(all.back(), now)) {
+            all.push_back(std::move(now));
+        } else {
+            cover(all.back(), now);
+        }
+    }
+    // Neighbouring groups with the same values are searched once.
+    all.erase(std::unique(all.begin(), all.end()), all.end());
+    return all;
+}
+
+// The parts of a box in which F may be 0 at some values.
+class Cover {
+public:
+    Cover(const formula::Program& program, const Values& values, double operations)
+        : evaluator_(program)
+        , values_(values)
+        , left_(operations) {
+        const std::vector<int> counts = values.counts();
+        each_ = 1 + formula::cost(program, counts).operations;
+    }
+
+    // Halves boxes along all axes as far as `levels` and work allow.
+    std::vector<Box> of(const Box& whole, int levels) {
+        std::vector<Box> boxes{whole};
+        for (int level = 0; level < levels && !boxes.empty(); ++level) {
+            if (8 * boxes.size() > most_boxes) break;
+            const double work = each_ * 8 * double(boxes.size());
+            if (work > left_) {
+                was_cut_short_ = true;
+                break;
+            }
+            left_ -= work;
+            boxes = kept(eighths(boxes));
+        }
+        return boxes;
+    }
+    // Whether there was more work than is allowed.
+    bool was_cut_short() const { return was_cut_short_; }
+
+private:
+    static std::vector<Box> eighths(const std::vector<Box>& boxes) {
+        std::vector<Box> parts;
+        parts.reserve(8 * boxes.size());
+        for (const Box& box : boxes) {
+            const glm::dvec3 half = 0.5 * (box.high - box.low);
+            for (int k = 0; k < 8; ++k) {
+                const glm::dvec3 low = box.low + half * glm::dvec3(k & 1, k >> 1 & 1, k >> 2);
+                parts.push_back({low, low + half});
+            }
+        }
+        return parts;
+    }
+
+    std::vector<Box> kept(const std::vector<Box>& boxes) {
+        std::array<std::vector<Interval>, 3> inputs;
+        for (const Box& box : boxes) {
+            for (int k = 0; k < 3; ++k)
+                inputs[std::size_t(k)].emplace_back(box.low[k], box.high[k]);
+        }
+        std::vector<Interval> values(boxes.size());
+        const std::array<std::span<const Interval>, 3> from{inputs[0], inputs[1], inputs[2]};
+        const std::array<std::span<Interval>, 1> to{values};
+        evaluator_.points(values_, from, to);
+        std::vector<Box> found;
+        for (std::size_t k = 0; k < boxes.size(); ++k) {
+            if (contains(values[k], 0.0)) found.push_back(boxes[k]);
+        }
+        return found;
+    }
+
+    formula::Evaluator<Interval> evaluator_;
+    const Values& values_;
+    double each_ = 1, left_;
+    bool was_cut_short_ = false;
+};
+
+bool reaches_out(const Box& box) {
+    return glm::any(glm::lessThanEqual(box.low, everywhere.low)) ||
+           glm::any(glm::greaterThanEqual(box.high, everywhere.high));
+}
+
+// Looks closer about what is small, a few times. None where work ended before boxes kept off the
+// reach.
+std::optional<std::vector<Box>> boxes_of(const formula::Program& program, const Values& values,
+                                         double operations) {
+    constexpr int levels = 6, turns = 6;
+    Cover covering(program, values, operations);
+    std::vector<Box> boxes = covering.of(everywhere, levels);
+    if (std::ranges::any_of(boxes, reaches_out)) {
+        if (covering.was_cut_short()) return std::nullopt;
+        return boxes;
+    }
+    Box whole = everywhere;
+    for (int turn = 1; turn < turns && !boxes.empty(); ++turn) {
+        Box about = boxes.front();
+        for (const Box& box : boxes) about = hull(about, box);
+        const glm::dvec3 before = whole.high - whole.low, now = about.high - about.low;
+        if (std::max({now.x, now.y, now.z}) > 0.3 * std::max({before.x, before.y, before.z})) break;
+        whole = about;
+        boxes = covering.of(about, levels);
+    }
+    return boxes;
+}
+
+// A radius that a person would write, and no smaller one.
+double rounded_up(double radius) {
+    const double unit = std::pow(10.0, std::floor(std::log10(radius)) - 1);
+    return std::ceil(radius / unit) * unit;
+}
+
+} // namespace
+
+bool are_bounds_found(const Scene& scene) {
+    return std::ranges::any_of(scene.surfaces,
+                               [](const Surface& each) { return each.found_bounds.has_value(); });
+}
+
+std::optional<FoundBounds> find_bounds(const OneSurface& one) {
+    const formula::Program& program = formula::value_enclosure(*one.surface.field);
+    const auto values = values_of_frames(one);
+    if (!values) return std::nullopt;
+    std::vector<Box> all;
+    for (const Values& some : *values) {
+        const auto boxes = boxes_of(program, some, most_evaluated / double(values->size()));
+        if (!boxes) return std::nullopt;
+        if (std::ranges::any_of(*boxes, reaches_out)) return FoundBounds{};
+        all.insert(all.end(), boxes->begin(), boxes->end());
+    }
+    if (all.empty()) return FoundBounds{};
+    Box about = all.front();
+    for (const Box& box : all) about = hull(about, box);
+    FoundBounds found;
+    found.is_about_surface = true;
+    const glm::dvec3 middle = 0.5 * (about.low + about.high);
+    const double size = glm::length(about.high - about.low);
+    // A surface about the origin has its bounds there.
+    for (int k = 0; k < 3; ++k) {
+        const double unit = 0.02 * size;
+        found.centre[k] = std::round(middle[k] / unit) * unit;
+    }
+    double farthest = 0;
+    for (const Box& box : all) {
+        const glm::dvec3 corner =
+            glm::max(glm::abs(box.low - found.centre), glm::abs(box.high - found.centre));
+        farthest = std::max(farthest, glm::length(corner));
+    }
+    found.radius = rounded_up(std::max(1.02 * farthest, 1e-6));
+    return found;
+}
+
+} // namespace isomotion::probe

@@ -1,0 +1,142 @@
+#include "shader/beam_copies_text.h"
+
+#include <cassert>
+#include <string_view>
+#include <vector>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "shader/beam_text.h"
+
+namespace isomotion::shader {
+namespace {
+
+constexpr int columns = 16; // of a list
+
+bool is_last(const Passes& passes, int level) { return level + 1 == int(passes.beams.size()); }
+
+// Places of a list, the last of which holds how many elements there are. The first level's lists
+// may be of all. Fewer matter in smaller beams, and fewest in a last one's front; where there are
+// more, rays take what that list was made from. Elements of more texels have fewer places: all
+// lists lie in one texture, and WebGL2 promises 2048 rows.
+int slots(const Passes& passes, int level) {
+    const int texels = passes.arrays[0].texels;
+    const int of_a_front = std::max(4 / texels, 1) * columns;
+    const int of_a_middle = std::max(8 / texels, 1) * columns;
+    const int all = (passes.arrays[0].capacity / columns + 1) * columns;
+    if (level == 0) return all;
+    return std::min(all, is_last(passes, level) ? of_a_front : of_a_middle);
+}
+
+int texels_of_a_mask(const FieldStorage& storage) {
+    return (storage.arrays[0].capacity + 127) / 128;
+}
+
+std::string repeated(std::string_view value, int times) {
+    const std::vector<std::string_view> all(std::size_t(times), value);
+    return fmt::format("{}", fmt::join(all, ", "));
+}
+
+// Where lists lie.
+void add_places(ShaderText& text, const Passes& passes) {
+    text.define("TEXELS", passes.arrays[0].texels);
+    text.define("FIRST_SLOTS", slots(passes, 0));
+    text.file("march/copies.glsl");
+}
+
+// Adds the places of the larger beams that this level's beams lie in.
+void add_larger(ShaderText& text, const Passes& passes, int level) {
+    assert(level == 1 || level == 2);
+    add_places(text, passes);
+    text.define("COPIES", 1);
+    text.define("LARGER_BLOCK", passes.beams[std::size_t(level - 1)].block);
+    if (level == 2) {
+        text.define("FIRST_BLOCK", passes.beams[0].block);
+        text.define("MIDDLE_BLOCK", passes.beams[1].block);
+        text.define("MIDDLE_SLOTS", slots(passes, 1));
+        text.file("march/copies_of_middle.glsl");
+    }
+    text.generated("lists of larger beams",
+                   fmt::format("#define LIST_OF_LARGER {}\n",
+                               level == 2 ? "list_of_middle" : "list_of_first"));
+}
+
+} // namespace
+
+int masks_of_level(const FieldStorage& storage, const BeamLevel& level) {
+    return has_copies(storage) ? texels_of_a_mask(storage) * lists_of_a_block(level) : 0;
+}
+
+int rows_of_copies(const Passes& passes, int level) {
+    return slots(passes, level) / columns * passes.arrays[0].texels;
+}
+
+bool copies_fit(const Passes& passes) {
+    int rows = 0;
+    for (std::size_t level = 0; level < passes.beams.size(); ++level) {
+        const int block = passes.beams[level].block;
+        rows += rows_of_copies(passes, int(level)) * ((tile_of_copies + block - 1) / block);
+    }
+    return rows <= most_rows_of_copies;
+}
+
+FieldStorage through_copies(const FieldStorage& storage) {
+    FieldStorage reading = storage;
+    if (has_copies(storage)) reading.arrays[0].reads_copies = true;
+    return reading;
+}
+
+FieldStorage storage_at_level(const FieldStorage& storage, int level) {
+    return level > 0 ? through_copies(storage) : storage;
+}
+
+void add_masks(ShaderText& text, const FieldStorage& storage) {
+    const int texels = texels_of_a_mask(storage);
+    text.define("COPIES", 1);
+    text.define("MASK_TEXELS", texels);
+    // ES 3.00 has initial values of constants alone.
+    text.generated("no bits",
+                   fmt::format("#define TEXELS_OF_NONE {}\n", repeated("uvec4(0u)", texels)));
+    text.file("elements/mask.glsl");
+    text.file("march/write_masks.glsl");
+}
+
+void add_copies_of_parent(ShaderText& text, const Passes& passes, int level) {
+    add_larger(text, passes, level);
+    text.file("march/copies_of_parent.glsl");
+}
+
+void add_copies_of_ray(ShaderText& text, const Passes& passes) {
+    const int last = int(passes.beams.size()) - 1;
+    add_larger(text, passes, last);
+    text.define("LAST_LEVEL", last);
+    text.define("LAST_SLOTS", slots(passes, last));
+    text.file("march/copies_of_ray.glsl");
+}
+
+Pass beam_copies_pass(const scene::OneSurface& one, const Passes& passes, int level) {
+    const BeamLevel& beam = passes.beams[std::size_t(level)];
+    ShaderText text;
+    text.define("LEVEL", level);
+    define_blocks(text, beam);
+    text.define("LISTS_OF_A_BLOCK", lists_of_a_block(beam));
+    text.define("SLOTS", slots(passes, level));
+    text.define("MASK_TEXELS", texels_of_a_mask(passes));
+    add_field(text, *one.surface.field, storage_at_level(passes, level), {});
+    if (level > 0) {
+        add_larger(text, passes, level);
+        text.file("march/copy_of_copies.glsl");
+    } else {
+        text.define("TEXELS", passes.arrays[0].texels);
+        text.generated("they are the first in the texture", "const ivec3 list_rows = ivec3(0);\n");
+        text.file("march/copy_of_all.glsl");
+    }
+    text.file("march/copy_lists.frag");
+    Pass pass = std::move(text).pass(
+        Role::beam_copies, fmt::format("lists of {} pixels", beam.block), When::once_a_tile);
+    pass.level = level;
+    return pass;
+}
+
+} // namespace isomotion::shader

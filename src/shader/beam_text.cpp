@@ -1,0 +1,261 @@
+#include "shader/beam_text.h"
+
+#include <array>
+#include <cmath>
+#include <span>
+#include <string>
+#include <string_view>
+
+#include <fmt/format.h>
+
+#include "formula/glsl/glsl_interval.h"
+#include "formula/glsl/glsl_model.h"
+#include "formula/linear_sum.h"
+#include "shader/beam_copies_text.h"
+#include "shader/model_text.h"
+#include "shader/section_text.h"
+#include "shader/shader_text.h"
+#include "shader/surfaces_text.h"
+
+namespace isomotion::shader {
+namespace {
+
+// What loops over an array in a beam's shader may add up to, once to make a list and once to walk.
+// Lanes of blocks with lists of other lengths go through the longest of each, so that the driver's
+// limit is spent up to six times over: llvmpipe ends all loops of a shader after 65535 turns.
+constexpr int most_terms = 10'000;
+// The first beams all go through all elements.
+constexpr int most_terms_at_first = 20'000;
+
+// The pieces that a beam's way is bounded in to make its lists.
+int pieces_of(const BeamLevel& beam) { return beam.lists == BeamLists::whole ? 10 : 6; }
+
+// What lists of elements need: the bound of F, and of what an element adds to its sum.
+void add_bounds_of_sum(ShaderText& text, const formula::Field& field, const FieldStorage& storage) {
+    const formula::LinearSum sum = formula::linear_sum(field).value();
+    std::set<std::string> kernels = formula::interval_kernels_used(sum.rest_and_factor);
+    kernels.merge(formula::interval_kernels_used(sum.term));
+    add_field(text, field, storage, {FieldFunction::value_interval},
+              {{field.text, std::move(kernels),
+                formula::glsl_rest_and_factor_interval(sum, field.packing) +
+                    formula::glsl_term_interval(sum, field.packing)}},
+              true);
+}
+
+// Adds boxes around pieces of beams, within those of `parent` if it is not null.
+void add_boxes(ShaderText& text, const scene::OneSurface& one, const Passes& passes,
+               const BeamLevel* parent) {
+    text.generated("generated: least and most tau, the shortest piece; rounding, a length",
+                   "uniform vec4 beam;\n");
+    const bool box = one.surface.bounds.shape == scene::Bounds::Shape::box;
+    text.file(box ? "march/beam_box.glsl" : "march/beam_sphere.glsl");
+    text.file("march/beam_way.glsl");
+    if (parent && has_copies(passes)) {
+        add_copies_of_parent(text, passes, int(parent - passes.beams.data()) + 1);
+    } else if (parent && has_lists(passes)) {
+        text.file("march/read_lists.glsl");
+    }
+    if (parent) define_parent(text, *parent);
+    if (parent) text.file("march/part_of_beam.glsl");
+    text.file(parent ? "march/beam_of_parent.glsl" : "march/beam_whole.glsl");
+}
+
+// Bounds of Chebyshev polynomials and of waves cost more than the samples they save.
+bool bounds_pay(const formula::Field& field) {
+    for (std::size_t id = 0; id < field.graph.size(); ++id) {
+        switch (field.graph[formula::NodeId(id)].op) {
+        case formula::Op::chebyshev:
+        case formula::Op::sin:
+        case formula::Op::cos:
+        case formula::Op::tan:
+        case formula::Op::asin:
+        case formula::Op::acos:
+            return false;
+        default:
+            break;
+        }
+    }
+    return true;
+}
+
+std::string name_of(const BeamLevel& beam) {
+    return fmt::format("beams of {} pixel{}{}", beam.block, beam.block == 1 ? "" : "s",
+                       beam.by_models ? " by models" : "");
+}
+
+// Declares the values that a beam's shader finds: attachments in fragment shaders, otherwise
+// images.
+void declare_results(ShaderText& text, Stage stage, std::span<const std::string_view> names) {
+    const bool draws = stage == Stage::fragment;
+    std::string declared, stored;
+    for (std::size_t k = 0; k < names.size(); ++k) {
+        if (!draws) {
+            declared += fmt::format(
+                "layout(rgba32f, binding = {0}) writeonly uniform image2D beam_image_{0};\n", k);
+            stored += fmt::format("    imageStore(beam_image_{}, at, {});\n", k, names[k]);
+        }
+        const std::string as_output = draws ? fmt::format("layout(location = {}) out ", k) : "";
+        declared += fmt::format("{}vec4 {};\n", as_output, names[k]);
+    }
+    if (!draws) declared += fmt::format("void store_results(ivec2 at) {{\n{}}}\n", stored);
+    text.generated("generated: what a beam's shader finds", declared);
+}
+
+Pass beam_pass_by_intervals(const scene::OneSurface& one, const Passes& passes, int level) {
+    const formula::Field& field = *one.surface.field;
+    const BeamLevel& beam = passes.beams[std::size_t(level)];
+    // The beams that these lie in.
+    const BeamLevel* parent = level > 0 ? &beam - 1 : nullptr;
+    ShaderText text(passes.stage);
+    const bool makes_lists = beam.lists != BeamLists::none;
+    const bool writes_buffer = makes_lists && !has_copies(passes);
+    constexpr std::array<std::string_view, 3> results{"part", "lists", "list_of_all"};
+    declare_results(text, passes.stage,
+                    std::span(results).first(std::size_t(writes_buffer ? 3 : 1)));
+    if (writes_buffer) text.version(430);
+    define_blocks(text, beam);
+    text.define("BOTH_ENDS", int(beam.lists == BeamLists::whole));
+    if (has_lists(passes)) {
+        text.define("LISTS", 1);
+        text.file("elements/left_out.glsl");
+        add_bounds_of_sum(text, field, storage_at_level(passes, level));
+    } else {
+        add_field(text, field, passes, {FieldFunction::value_interval});
+    }
+    if (array_with_grid(passes)) text.define("GRID", 1);
+    if (makes_lists) {
+        const bool whole = beam.lists == BeamLists::whole;
+        text.generated("the front, as a part of all",
+                       fmt::format("#define FRONT {:#.3}\n", beam.front));
+        text.define("LIST_OF_ALL", int(whole));
+        text.define("LISTS_OF_A_BLOCK", lists_of_a_block(beam));
+        text.define("TEXELS", passes.arrays[0].texels);
+        const int pieces = pieces_of(beam);
+        text.define("PIECES", pieces);
+        text.define("FRONT_PIECES", whole ? int(std::lround(beam.front * pieces)) : pieces);
+        text.define("MOST_TERMS", parent ? most_terms : most_terms_at_first);
+        // Read as a texture: software renderers go through the lanes one by one to read a storage
+        // buffer.
+        if (writes_buffer)
+            text.file("march/write_lists.glsl");
+        else
+            add_masks(text, passes);
+    }
+    text.file_of_stage("frame.glsl", "stage/frame.glsl");
+    add_boxes(text, one, passes, parent);
+    add_sections_over_boxes(text, one.scene);
+    if (makes_lists) text.file("march/beam_list.glsl");
+    text.file("march/beam_by_intervals.glsl");
+    text.file_of_stage("stage/beam.frag", "stage/beam.comp");
+    Pass pass = std::move(text).pass(Role::beams, name_of(beam), When::once_a_tile);
+    pass.level = level;
+    return pass;
+}
+
+Pass beam_pass_by_models(const scene::OneSurface& one, const Passes& passes, int level) {
+    const BeamLevel& beam = passes.beams[std::size_t(level)];
+    ShaderText text(passes.stage);
+    declare_results(text, passes.stage, std::array<std::string_view, 2>{"part", "roots"});
+    define_blocks(text, beam);
+    if (one.surface.isolation.certify) text.define("BOTH_ENDS", 1);
+    add_enclosures(text, *one.surface.field, passes, {});
+    add_piece_models(text, *one.surface.field, "models/block.glsl");
+    text.file_of_stage("frame.glsl", "stage/frame.glsl");
+    add_boxes(text, one, passes, level > 0 ? &beam - 1 : nullptr);
+    text.file("models/piece_of_block.glsl");
+    text.define("BOUNDS_ROUNDING", "beam.w");
+    add_inside_bounds(text, one);
+    text.file("models/box_within_bounds.glsl");
+    text.file("march/beam_by_models.glsl");
+    text.file_of_stage("stage/beam.frag", "stage/beam.comp");
+    Pass pass = std::move(text).pass(Role::beams, name_of(beam), When::once_a_tile);
+    pass.level = level;
+    return pass;
+}
+
+void add_entrance_file(ShaderText& text, bool by_beams) {
+    if (by_beams) text.file("march/part_of_beam.glsl");
+    text.file(by_beams ? "march/enter_beam.glsl" : "march/enter_bounds.glsl");
+}
+
+} // namespace
+
+void define_blocks(ShaderText& text, const BeamLevel& beam) {
+    text.define("BLOCK", beam.block);
+    text.define("SQUARE_BITS", beam.square_bits);
+    text.define("SQUARES_APART", beam_square);
+    text.file("march/beam_place.glsl");
+}
+
+bool uses_beams(const scene::OneSurface& one) {
+    return one.surface.isolation.beam.value_or(
+        one.surface.isolation.method == scene::Method::hermite && bounds_pay(*one.surface.field));
+}
+
+Pass beam_pass(const scene::OneSurface& one, const Passes& passes, int level) {
+    if (passes.beams[std::size_t(level)].by_models) return beam_pass_by_models(one, passes, level);
+    return beam_pass_by_intervals(one, passes, level);
+}
+
+bool can_settle_blocks(const scene::OneSurface& one, int finest) {
+    // Between two waves of a longer polynomial no block of 8 pixels lies in a usual picture, and
+    // models of more products cost more than they save.
+    const int most = bounds_pay(*one.surface.field) ? 10 : 8;
+    const int degree = formula::modelled_degree(*one.surface.field);
+    return one.surface.isolation.method == scene::Method::hermite &&
+           one.surface.isolation.beam.value_or(true) && one.scene.sections.empty() &&
+           one.is_alone() && degree > 0 && degree <= most && finest > 1;
+}
+
+bool lies_in_beams(const Passes& passes, int block) {
+    return !passes.beams.empty() && passes.beams.back().block >= block;
+}
+
+void define_parent(ShaderText& text, const BeamLevel& parent) {
+    if (parent.by_models) text.define("PARENT_SETTLES", 1);
+    text.define("PARENT_BLOCK", parent.block);
+    text.define("PARENT_SQUARE_BITS", parent.square_bits);
+}
+
+void add_beam_of_block(ShaderText& text, const scene::OneSurface& one, const Passes& passes,
+                       int block) {
+    add_boxes(text, one, passes, lies_in_beams(passes, block) ? &passes.beams.back() : nullptr);
+}
+
+void add_light_beams(ShaderText& text, const Passes& passes) {
+    define_blocks(text, passes.beams.back());
+    if (has_lists(passes)) text.file("march/choose_list.glsl");
+    text.file("effects/light_beam.glsl");
+}
+
+void add_entrance(ShaderText& text, const Passes& passes, bool by_beams) {
+    if (by_beams) define_blocks(text, passes.beams.back());
+    if (by_beams && has_lists(passes)) {
+        if (!has_copies(passes)) text.file("march/read_lists.glsl");
+        text.file("march/choose_list.glsl");
+        if (has_copies(passes)) add_copies_of_ray(text, passes);
+    }
+    add_entrance_file(text, by_beams);
+}
+
+void add_way(ShaderText& text, const Passes& passes, bool by_beams) {
+    if (by_beams) define_blocks(text, passes.beams.back());
+    add_entrance_file(text, by_beams);
+}
+
+BeamLevel level_by_models(int finest) { return {finest, BeamLists::none, 1, 4, true}; }
+
+std::vector<BeamLevel> beam_levels(const FieldStorage& storage, int finest) {
+    using enum BeamLists;
+    // A picture of 512 pixels has 16 squares of the smaller blocks, 4 of the largest. Squares of
+    // single pixels lie side by side.
+    const int bits = finest == 1 ? 6 : 4;
+    if (!has_lists(storage)) return {{finest, none, 1, bits}};
+    // Fewer programs: a page shows its first picture when all are compiled. Beams of 16 pixels that
+    // go through more elements than these take longer than two levels.
+    if (has_copies(storage) && storage.arrays[0].capacity <= 32)
+        return {{16, whole, 0.3, 3}, {finest, front, 0.12, bits}};
+    return {{64, whole, 0.3, 2}, {16, whole, 0.3, 3}, {finest, front, 0.12, bits}};
+}
+
+} // namespace isomotion::shader

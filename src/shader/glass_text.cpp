@@ -1,0 +1,203 @@
+#include "shader/glass_text.h"
+
+#include <fmt/format.h>
+
+#include "shader/effect_text.h"
+#include "shader/march_text.h"
+#include "shader/section_text.h"
+#include "shader/shader_files.h"
+
+namespace isomotion::shader {
+namespace {
+
+using Model = scene::Material::Model;
+
+// What is seen beside the surface, without the ground.
+void add_far_away(ShaderText& text, const scene::Scene& scene) {
+    if (scene.environment) {
+        for (const auto& file : kernel_files({"atan"})) text.file(file);
+        text.file("effects/environment.glsl");
+    }
+    text.file(sky_file(scene));
+    // The map is mirrored, also where another background is seen.
+    const char* around = scene.environment ? "environment(direction)" : "sky(direction).rgb";
+    const char* behind = scene.output.transparent ? around : "sky(direction).rgb";
+    text.generated("generated: what is far away, mirrored and behind glass",
+                   fmt::format("vec3 around(vec3 direction) {{\n    return {};\n}}\n"
+                               "vec3 behind(vec3 direction) {{\n    return {};\n}}\n",
+                               around, behind));
+}
+
+void add_ground_light(ShaderText& text, const scene::Scene& scene) {
+    add_lights(text, scene);
+    if (scene.ambient) text.file("effects/ambient.glsl");
+    text.generated("generated: light from everywhere",
+                   fmt::format("vec3 light_from_everywhere(vec3 normal) {{\n    return {};\n}}\n",
+                               scene.ambient ? "ambient(normal)" : "vec3(0.12)"));
+    text.file("glass/ground_light.glsl");
+}
+
+constexpr const char* all_arrives = "float arrives(int k) {\n    return 1.0;\n}\n";
+
+// through(), of places that end_of_ray() tells of.
+void add_way_through(ShaderText& text, const scene::Scene& scene) {
+    if (!scene.sections.empty()) text.file("section/distance.glsl");
+    text.file("effects/end_of_ray.glsl");
+    text.file("glass/matter.glsl");
+    text.file("glass/refraction.glsl");
+    add_surroundings(text, scene);
+    text.file("glass/behind.glsl");
+    text.file("glass/through.glsl");
+    text.file("glass/store_path.glsl");
+}
+
+Pass first_pass(const scene::OneSurface& one, const Passes& passes) {
+    ShaderText text;
+    text.define("LIGHTS", int(one.scene.lights.size()));
+    add_field(text, *one.surface.field, passes, {FieldFunction::value});
+    add_ray(text, one);
+    text.file("shade/shading.glsl");
+    text.file("effects/surface_point.glsl");
+    text.file("effects/load_surface.glsl");
+    text.file("glass/path.glsl");
+    text.generated(
+        "generated: no ray ends here",
+        "vec3 surface_gradient(RayState s, vec3 position) {\n    return vec3(0.0);\n}\n");
+    add_way_through(text, one.scene);
+    const bool is_ggx = one.surface.material.model == Model::ggx;
+    text.generated("generated: how much goes in",
+                   (is_ggx ? "uniform vec4 gloss;\n" : "") + transmission(one));
+    text.file("glass/first.frag");
+    return std::move(text).pass(Role::glass_first, "glass first", When::once_a_tile);
+}
+
+Pass next_pass(const scene::OneSurface& one, const Passes& passes) {
+    ShaderText text;
+    text.define("LIGHTS", int(one.scene.lights.size()));
+    std::vector<FieldFunction> functions{FieldFunction::value};
+    if (!passes.march_takes_gradient) functions.push_back(FieldFunction::gradient);
+    add_field(text, *one.surface.field, passes, functions);
+    add_ray(text, one, Origin::glass);
+    text.file("shade/shading.glsl");
+    text.file("effects/surface_point.glsl");
+    add_gradient_of_rest(text, one.scene,
+                         passes.march_takes_gradient ? "shade/gradient_from_state.glsl"
+                                                     : "shade/gradient_from_field.glsl");
+    add_way_through(text, one.scene);
+    text.file("glass/next.frag");
+    return std::move(text).pass(Role::glass_next, "glass next", When::until_rays_end);
+}
+
+Pass path_pass(Role role, const char* name, const char* file) {
+    ShaderText text;
+    text.file("glass/path.glsl");
+    if (role == Role::glass_copy) text.file("glass/store_path.glsl");
+    return pass_over_paths(std::move(text), role, name, file);
+}
+
+Pass ground_pass(const scene::OneSurface& one) {
+    ShaderText text;
+    text.file("math/bits.glsl");
+    add_ray(text, one);
+    text.file("effects/surface_point.glsl");
+    text.file("effects/load_surface.glsl");
+    text.file("effects/store_surface.glsl");
+    text.file("glass/path.glsl");
+    text.file("glass/ground_ahead.glsl");
+    text.file("glass/ground_end.frag");
+    return std::move(text).pass(Role::glass_ground, "ground through glass", When::once_a_tile);
+}
+
+} // namespace
+
+std::string beside_reflection(const scene::OneSurface& one) {
+    const bool matt = one.surface.material.model == Model::lambert;
+    return fmt::format("float beside_reflection(float reflected) {{\n    return {};\n}}\n",
+                       matt ? "1.0 - reflected" : "1.0");
+}
+
+std::string transmission(const scene::OneSurface& one) {
+    // Metal lets no light in.
+    const bool is_ggx = one.surface.material.model == Model::ggx;
+    return fmt::format("float transmission() {{\n    return glass.x{};\n}}\n",
+                       is_ggx ? " * (1.0 - gloss.y)" : "");
+}
+
+std::string opaque_part() { return "float opaque_part() {\n    return 1.0 - glass.x;\n}\n"; }
+
+void add_surroundings(ShaderText& text, const scene::Scene& scene) {
+    add_far_away(text, scene);
+    if (!scene.ground) {
+        text.file("glass/no_ground.glsl");
+        text.generated("generated: what is around a place",
+                       "vec3 seen_around(vec3 position, vec3 direction) {\n"
+                       "    return around(direction);\n}\n");
+        return;
+    }
+    text.file("glass/ground_ahead.glsl");
+    text.generated("generated: no shadow rays go from what is mirrored", all_arrives);
+    add_ground_light(text, scene);
+    text.generated("generated: what is around a place",
+                   "vec3 seen_around(vec3 position, vec3 direction) {\n"
+                   "    float way = ground_ahead(position, direction);\n"
+                   "    if (way > 0.0) return ground_light(position + way * direction, "
+                   "ground_normal(direction));\n"
+                   "    return around(direction);\n}\n");
+}
+
+bool shows_shadows_through_glass(const scene::OneSurface& one) {
+    return has_glass(one) && one.scene.ground && shadow_mask(one.scene) != 0;
+}
+
+void add_glass_ray(ShaderText& text) {
+    text.file("glass/path.glsl");
+    text.file("glass/may_meet.glsl");
+    text.file("glass/ray.glsl");
+}
+
+void add_matter(ShaderText& text, const scene::OneSurface& one) {
+    text.file("glass/path.glsl");
+    text.file("glass/matter.glsl");
+    text.file("glass/refraction.glsl");
+    text.generated("generated: the part of what is matt that is as without glass", opaque_part());
+    if (one.surface.material.model == Model::ggx) text.file("glass/matt_ggx.glsl");
+}
+
+void add_seen_through_glass(ShaderText& text, const scene::OneSurface& one) {
+    if (one.scene.ground) {
+        if (shows_shadows_through_glass(one)) {
+            text.file("glass/ground_shadow.glsl");
+        } else {
+            text.generated("generated: no shadows", all_arrives);
+        }
+        text.file("glass/ground_ahead.glsl");
+        add_ground_light(text, one.scene);
+    }
+    text.generated(
+        "generated: what is seen through glass",
+        beside_reflection(one) +
+            fmt::format("vec3 ground_through_glass(Path path) {{\n    return {};\n}}\n",
+                        one.scene.ground
+                            ? "ground_light(path.position, ground_normal(path.direction))"
+                            : "vec3(0.0)"));
+    text.file("glass/seen.glsl");
+}
+
+Pass pass_over_paths(ShaderText text, Role role, const char* name, const char* file, Cover cover) {
+    text.file(file);
+    return std::move(text).pass(role, name, When::until_rays_end, cover);
+}
+
+std::vector<Pass> glass_passes(const scene::OneSurface& one, const Passes& passes) {
+    std::vector<Pass> all;
+    all.push_back(first_pass(one, passes));
+    all.push_back(march_pass(one, passes, Origin::glass, When::until_rays_end));
+    all.push_back(next_pass(one, passes));
+    all.push_back(path_pass(Role::glass_copy, "glass copy", "glass/copy.frag"));
+    all.push_back(path_pass(Role::glass_mask, "glass mask", "glass/mask.frag"));
+    all.push_back(path_pass(Role::glass_active, "glass active", "glass/active.frag"));
+    if (shows_shadows_through_glass(one)) all.push_back(ground_pass(one));
+    return all;
+}
+
+} // namespace isomotion::shader

@@ -1,0 +1,26 @@
+#include "shader/model_text.h"
+
+#include "formula/glsl/glsl_model.h"
+
+namespace isomotion::shader {
+
+void add_models(ShaderText& text, const formula::Field& field, const std::string& type,
+                const std::string& file, formula::Numbers numbers) {
+    text.file("models/errors.glsl");
+    text.file(file);
+    text.file_again("models/operations.glsl");
+    text.generated("generated: F on models", formula::glsl_value_model(field, type, numbers));
+}
+
+void add_piece_models(ShaderText& text, const formula::Field& field, const std::string& file,
+                      formula::Numbers numbers) {
+    add_models(text, field, "Model", file, numbers);
+    text.file("models/first_reach.glsl");
+}
+
+void add_inside_bounds(ShaderText& text, const scene::OneSurface& one) {
+    const bool box = one.surface.bounds.shape == scene::Bounds::Shape::box;
+    text.file(box ? "models/inside_box.glsl" : "models/inside_sphere.glsl");
+}
+
+} // namespace isomotion::shader

@@ -1,0 +1,295 @@
+#include "shader/proof_text.h"
+
+#include <algorithm>
+
+#include "formula/enclosure.h"
+#include "formula/glsl/glsl_model.h"
+#include "shader/beam_text.h"
+#include "shader/march_text.h"
+#include "shader/model_text.h"
+#include "shader/shader_text.h"
+#include "shader/surfaces_text.h"
+
+namespace isomotion::shader {
+namespace {
+
+// Operations on numbers that one on models counts as: of a ray's, and of a block's.
+constexpr double model_operations = 36, block_model_operations = 90;
+
+// Whether F is proved by models (formula/glsl/glsl_model.h) rather than by bounds on it and its
+// slope. Where doubles aren't to be had, bounds are what tries again what models leave open.
+bool goes_by_models(const formula::Field& field, const FieldStorage& storage, ProofBounds bounds) {
+    return bounds != ProofBounds::by_gradient && !storage.tapes &&
+           formula::modelled_degree(field) > 0;
+}
+
+// Adds models of F around points.
+void add_value_models(ShaderText& text, const formula::Field& field, formula::Numbers numbers) {
+    add_models(text, field, "PointModel", "models/point.glsl", numbers);
+    text.file("proof/value_by_model.glsl");
+}
+
+// What a proof by bounds asks of the field.
+std::vector<FieldFunction> samples_of_block() { return {FieldFunction::directional_interval}; }
+
+// A ray and how it ended.
+void add_ended_ray(ShaderText& text, const scene::OneSurface& one) {
+    const bool box = one.surface.bounds.shape == scene::Bounds::Shape::box;
+    text.file("frame.glsl");
+    text.file("march/verdict.glsl");
+    text.file(box ? "march/clip_box.glsl" : "march/clip_sphere.glsl");
+    if (one.is_alone()) {
+        text.file("march/ray.glsl");
+        text.file("proof/ending.glsl");
+        return;
+    }
+    text.generated("rays through the bounds, renamed", "#define pixel_ray whole_ray\n");
+    text.file("march/ray.glsl");
+    text.generated("rays up to what is seen of other surfaces", "#undef pixel_ray\n");
+    text.file("proof/ending.glsl");
+    text.file("proof/ray_to_end.glsl");
+}
+
+// Beams by models tell proofs more than rays begin and end by.
+void add_trimmed_ends(ShaderText& text, const Passes& passes) {
+    if (!settles_blocks(passes)) return;
+    text.define("TRIMMED", 1);
+    text.file("march/beam_roots.glsl");
+}
+
+void add_by_place(ShaderText& text, const Passes& passes) {
+    if (array_with_grid(passes)) text.define("GRID", 1);
+    text.file("proof/by_place.glsl");
+}
+
+// Second derivatives are taken in doubles, where rounding no longer hides their gain, and where
+// there are such bounds. They are not taken where elements are found by place: slopes of two lists
+// differ by those of what either leaves out, which have no bound.
+bool takes_hessian(const formula::Field& field, const FieldStorage& storage, ProofBounds bounds) {
+    return bounds == ProofBounds::in_doubles && !array_with_grid(storage) && !storage.tapes &&
+           formula::hessian_program(field);
+}
+
+std::vector<FieldFunction> samples_of_ray(const formula::Field& field, const FieldStorage& storage,
+                                          ProofBounds bounds) {
+    std::vector samples{FieldFunction::value_interval, FieldFunction::directional_interval};
+    if (bounds != ProofBounds::natural) samples.push_back(FieldFunction::gradient_interval);
+    if (takes_hessian(field, storage, bounds)) samples.push_back(FieldFunction::hessian_interval);
+    return samples;
+}
+
+// Adds what a ray's proof begins with: the part it is of, the boxes around it, what F can be in
+// one.
+void add_proof(ShaderText& text, const scene::OneSurface& one, const Passes& passes,
+               ProofBounds bounds) {
+    add_ended_ray(text, one);
+    if (has_lists(passes)) text.define("LISTS", 1);
+    add_trimmed_ends(text, passes);
+    add_entrance(text, passes, !passes.beams.empty());
+    text.file("proof/rounding.glsl");
+    if (has_lists(passes)) text.file("proof/list_of_ray.glsl");
+    text.file("proof/block_outcome.glsl");
+    text.file("proof/way.glsl");
+    text.file("proof/outcome.glsl");
+    text.file(bounds == ProofBounds::in_doubles ? "proof/in_doubles.glsl" : "proof/in_floats.glsl");
+    text.file("proof/tube.glsl");
+    add_inside_bounds(text, one);
+}
+
+void add_value_at(ShaderText& text, ProofBounds bounds) {
+    text.file(bounds == ProofBounds::natural ? "proof/value_over_box.glsl"
+                                             : "proof/value_by_gradient.glsl");
+}
+
+// The bounds on F at a root with which proofs of single rays begin. Terms of one sum do not cancel
+// as a polynomial's do, so that natural bounds are close.
+ProofBounds bounds_at_root(const FieldStorage& storage) {
+    return has_lists(storage) ? ProofBounds::natural : ProofBounds::by_gradient;
+}
+
+// Takes the place of pixels that fragments lie on.
+void add_packed(ShaderText& text) {
+    text.define("PROVED_BLOCK", proved_block);
+    text.define("LIST_ACROSS", open_list_across);
+    text.file("proof/packed.glsl");
+}
+
+// Proofs of single rays by models.
+void add_ray_models(ShaderText& text, const formula::Field& field, formula::Numbers numbers) {
+    add_value_models(text, field, numbers);
+    const bool again = numbers == formula::Numbers::doubles;
+    add_piece_models(text, field, again ? "models/turning_ray.glsl" : "models/ray.glsl", numbers);
+    text.file("models/piece_of_ray.glsl");
+    text.file("proof/prove_by_models.glsl");
+}
+
+// The same by bounds, of which the text must have the functions.
+void add_ray_bounds(ShaderText& text, const formula::Field& field, const Passes& passes,
+                    ProofBounds bounds) {
+    add_value_at(text, bounds);
+    text.file("proof/directional.glsl");
+    text.file(takes_hessian(field, passes, bounds) ? "proof/bounds_by_hessian.glsl"
+                                                   : "proof/bounds_over_box.glsl");
+    text.file("proof/prove.glsl");
+}
+
+Pass block_proof(const scene::OneSurface& one, const Passes& passes, Role role) {
+    const formula::Field& field = *one.surface.field;
+    const bool by_models = goes_by_models(field, passes, ProofBounds::natural);
+    const bool is_coarse = role == Role::coarse_block_proof;
+    const int block = is_coarse ? coarse_proved_block : proved_block;
+    ShaderText text;
+    text.define("BLOCK", block);
+    text.define("RAYS", block * block);
+    text.define("SQUARES_APART", beam_square);
+    text.file("march/beam_place.glsl");
+    if (by_models) {
+        if (!settles_blocks(passes))
+            text.define(is_coarse ? "COARSE" : "COARSE_BLOCK", coarse_proved_block);
+        add_enclosures(text, field, passes, {});
+        add_piece_models(text, field, "models/block.glsl");
+    } else {
+        add_enclosures(text, field, passes, samples_of_block());
+    }
+    add_by_place(text, passes);
+    text.file("frame.glsl");
+    text.file("march/verdict.glsl");
+    text.file("proof/ending.glsl");
+    text.file("proof/rounding.glsl");
+    text.file("proof/block_outcome.glsl");
+    if (has_lists(passes)) text.define("LISTS", 1);
+    add_trimmed_ends(text, passes);
+    add_beam_of_block(text, one, passes, block);
+    if (has_lists(passes)) text.file("proof/list_of_block.glsl");
+    if (by_models) {
+        text.file("models/piece_of_block.glsl");
+        text.file("proof/ends_of_block.glsl");
+        if (!is_coarse) {
+            add_inside_bounds(text, one);
+            text.file("models/box_within_bounds.glsl");
+            text.file("proof/roots_of_block.glsl");
+            if (settles_blocks(passes)) {
+                text.file("march/beam_roots.glsl");
+                text.file("march/slab.glsl");
+                text.file("proof/first_roots.glsl");
+            }
+        }
+    }
+    text.file(by_models ? "proof/block_by_models.frag" : "proof/block.frag");
+    return std::move(text).pass(role, is_coarse ? "coarse block proof" : "block proof",
+                                When::once_a_tile);
+}
+
+Pass block_mask(const Passes& passes) {
+    ShaderText text;
+    text.define("BLOCK", proved_block);
+    text.define("SQUARES_APART", beam_square);
+    text.file("march/beam_place.glsl");
+    define_parent(text, passes.beams.back());
+    text.file("proof/block_outcome.glsl");
+    text.file("march/part_of_beam.glsl");
+    text.file("proof/block_mask.frag");
+    return std::move(text).pass(Role::block_mask, "block mask", When::once_a_tile);
+}
+
+Pass first_proof(const scene::OneSurface& one, const Passes& passes) {
+    const formula::Field& field = *one.surface.field;
+    const bool by_models = goes_by_models(field, passes, ProofBounds::natural);
+    ShaderText text;
+    text.define("WHOLE_BLOCKS", 1);
+    add_packed(text);
+    if (by_models) {
+        add_enclosures(text, field, passes, {});
+        add_proof(text, one, passes, ProofBounds::natural);
+        add_value_models(text, field, formula::Numbers::floats);
+    } else {
+        const ProofBounds bounds = bounds_at_root(passes);
+        std::vector functions{FieldFunction::value_interval};
+        if (bounds == ProofBounds::by_gradient)
+            functions.push_back(FieldFunction::gradient_interval);
+        add_enclosures(text, field, passes, functions);
+        add_proof(text, one, passes, bounds);
+        add_value_at(text, bounds);
+    }
+    text.file("proof/begun.glsl");
+    text.file("proof/begin.frag");
+    return std::move(text).pass(Role::first_proof, "first proof", When::once_a_tile);
+}
+
+Pass proof(const scene::OneSurface& one, const Passes& passes, ProofBounds bounds) {
+    const formula::Field& field = *one.surface.field;
+    ShaderText text;
+    const bool in_doubles = bounds == ProofBounds::in_doubles;
+    const auto numbers = in_doubles ? formula::Numbers::doubles : formula::Numbers::floats;
+    if (in_doubles) text.version(400);
+    add_packed(text);
+    if (goes_by_models(field, passes, bounds)) {
+        add_enclosures(text, field, passes, {}, numbers);
+        add_by_place(text, passes);
+        add_proof(text, one, passes, bounds);
+        add_ray_models(text, field, numbers);
+    } else {
+        add_enclosures(text, field, passes, samples_of_ray(field, passes, bounds), numbers);
+        add_by_place(text, passes);
+        add_proof(text, one, passes, bounds);
+        add_ray_bounds(text, field, passes, bounds);
+    }
+    text.file("proof/proof.frag");
+    switch (bounds) {
+    case ProofBounds::natural:
+        break;
+    case ProofBounds::by_gradient:
+        return std::move(text).pass(Role::sharp_proof, "sharp proof", When::where_proof_is_open);
+    case ProofBounds::in_doubles:
+        return std::move(text).pass(Role::double_proof, "double proof", When::where_proof_is_open);
+    }
+    return std::move(text).pass(Role::proof, "proof", When::once_a_tile);
+}
+
+Pass ending_of_surface(const scene::OneSurface& one) {
+    ShaderText text;
+    text.file("math/bits.glsl");
+    add_ray(text, one);
+    text.define("SURFACE", one.index);
+    text.file("surfaces/eye_way.glsl");
+    text.file("proof/ending_of_surface.frag");
+    return std::move(text).pass(Role::ending, "ending", When::once_a_tile);
+}
+
+} // namespace
+
+formula::Cost cost_of_block_piece(const formula::Field& field, const FieldStorage& storage,
+                                  std::span<const int> counts) {
+    if (!goes_by_models(field, storage, ProofBounds::natural))
+        return cost(field, storage, samples_of_block(), counts);
+    formula::Cost piece = cost(field, storage, {FieldFunction::value}, counts);
+    piece.operations *= block_model_operations;
+    return piece;
+}
+
+formula::Cost cost_of_piece(const formula::Field& field, const FieldStorage& storage,
+                            ProofBounds bounds, std::span<const int> counts) {
+    if (!goes_by_models(field, storage, bounds))
+        return cost(field, storage, samples_of_ray(field, storage, bounds), counts);
+    formula::Cost piece = cost(field, storage, {FieldFunction::value}, counts);
+    piece.operations *= model_operations;
+    return piece;
+}
+
+std::vector<Pass> proof_passes(const scene::OneSurface& one, const Passes& passes) {
+    std::vector<Pass> list;
+    if (!one.is_alone()) list.push_back(ending_of_surface(one));
+    // Beams by models have proved as much.
+    if (goes_by_models(*one.surface.field, passes, ProofBounds::natural) && !settles_blocks(passes))
+        list.push_back(block_proof(one, passes, Role::coarse_block_proof));
+    if (lies_in_beams(passes, proved_block)) list.push_back(block_mask(passes));
+    list.push_back(block_proof(one, passes, Role::block_proof));
+    list.push_back(first_proof(one, passes));
+    list.push_back(proof(one, passes, ProofBounds::natural));
+    list.push_back(proof(one, passes, ProofBounds::by_gradient));
+    // Tapes are run on floats alone.
+    if (!passes.tapes) list.push_back(proof(one, passes, ProofBounds::in_doubles));
+    return list;
+}
+
+} // namespace isomotion::shader

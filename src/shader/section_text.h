@@ -1,0 +1,41 @@
+// Sections of a scene (scene/cut.h) in shaders: shaders/section/. Without sections nothing is
+// added.
+#pragma once
+
+#include "scene/scene.h"
+#include "scene/scene_at.h"
+#include "shader/shader_text.h"
+#include "shader/uniform.h"
+
+namespace isomotion::shader {
+
+// The largest number of parts that sections can leave of a ray.
+int parts_of_a_ray(const scene::Scene& scene);
+// The largest number of samples of F that a ray takes besides its march, at the ends of parts.
+int samples_at_sections(const scene::Scene& scene);
+
+// Adds the number and kinds of sections, and tests of places against them.
+void add_sections(ShaderText& text, const scene::Scene& scene);
+// Adds the parts of a ray, and the cap on which one ended. Call it after the ray and its state.
+void add_parts(ShaderText& text, const scene::Scene& scene);
+// Adds the ranges of sections over boxes, for beams.
+void add_sections_over_boxes(ShaderText& text, const scene::Scene& scene);
+// Adds the transition of rays from one part to the next. Call it after the functions that sample F.
+void add_crossings(ShaderText& text, const scene::OneSurface& one);
+// Enclose the text of a method's step, whose first sample tells whether a part begins with a cap.
+void begin_turn_of_part(ShaderText& text);
+void end_turn_of_part(ShaderText& text);
+// Adds the file of a march, which handles one part of a ray, as a march through all parts.
+// `samples_tell`: its own samples detect caps; otherwise the ends of parts are sampled in addition.
+void add_march_through_parts(ShaderText& text, const scene::OneSurface& one,
+                             const std::string& file, bool samples_tell);
+// Adds the file with the gradient of F, changed to the gradient of the remaining solid.
+void add_gradient_of_rest(ShaderText& text, const scene::Scene& scene, const std::string& file);
+
+// Whether caps have a colour of their own.
+bool has_cap_color(const scene::OneSurface& one);
+
+// Uniform `sections` at a time, in formula coordinates.
+Uniform sections_uniform(const scene::OneSurfaceAt& now);
+
+} // namespace isomotion::shader

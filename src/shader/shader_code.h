@@ -1,0 +1,13 @@
+// The code of a shader: what its pictures depend on.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace isomotion::shader {
+
+// Returns the text without // comments, blank lines, and spaces at the ends of lines. Shaders have
+// no other comments.
+std::string code_of(std::string_view text);
+
+} // namespace isomotion::shader

@@ -1,0 +1,59 @@
+// The part of a shader that runs a field's functions as tapes (formula/tape/), for formulas that
+// take a driver too long to compile.
+#pragma once
+
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "formula/tape/tape_cells.h"
+#include "shader/field_text.h"
+
+namespace isomotion::shader {
+
+struct Passes;
+
+// The functions of a field as an interpreter runs them.
+class FieldTapes {
+public:
+    // Null for a field with arrays, or with more values at a time than the interpreter keeps.
+    static std::shared_ptr<const FieldTapes> of(const formula::Field& field);
+
+    // The order of tapes' spans.
+    const std::vector<FieldFunction>& functions() const { return functions_; }
+    const formula::TapeFunctions::Function& function(FieldFunction of) const;
+    // The function that has a tape where `of` has none: gradients are slopes along the axes.
+    FieldFunction run_for(FieldFunction of) const;
+
+    // Those on points, then those on boxes.
+    std::span<const formula::TapeFunctions> groups() const { return groups_; }
+
+    // For each of the functions, whether these shaders run it.
+    std::vector<bool> are_run(const Passes& passes) const;
+
+    // Whether tapes are shorter in parts of the space.
+    bool chooses() const;
+
+    // The cost of one call of each. Iterations are those of the tape of the whole space; operations
+    // are what a usual cell takes.
+    formula::Cost cost(const std::vector<FieldFunction>& functions) const;
+
+private:
+    std::vector<FieldFunction> functions_;
+    std::vector<formula::TapeFunctions> groups_;
+};
+
+// vec4s of the block Parameters that describe the tapes' cells: their place, and for each function
+// of the enumeration where its spans begin.
+inline constexpr int tape_vectors_of_place = 2, tape_vectors = 5;
+
+void add_tapes(ShaderText& text, const FieldTapes& tapes, const std::vector<FieldFunction>& wanted);
+
+// Adds pass_free(), which moves rays past cells in which F keeps off 0.
+void add_way_past_free_tapes(ShaderText& text);
+
+// Adds field_directional_or_sign(), which runs no tape in such cells. It tells `tape_is_free` then,
+// and a number of F's sign, which is enough where bounds judge.
+void add_signs_in_free_tapes(ShaderText& text, const FieldTapes& tapes);
+
+} // namespace isomotion::shader
