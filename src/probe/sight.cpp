@@ -7,8 +7,8 @@
 #include <fmt/format.h>
 
 #include "formula/enclosure.h"
+#include "probe/sample_points.h"
 #include "probe/unbounded.h"
-#include "scene/halton.h"
 
 namespace isomotion::probe {
 namespace {
@@ -21,13 +21,6 @@ using formula::Interval;
 constexpr double most_operations = 2e7;
 constexpr int fewest_points = 128; // of faces, to tell whether a surface ends within them
 
-bool is_in(const BoundsAt& bounds, const glm::dvec3& p) {
-    if (bounds.shape == Bounds::Shape::sphere)
-        return glm::distance(p, bounds.centre) <= bounds.radius;
-    return glm::all(glm::lessThanEqual(bounds.min, p)) &&
-           glm::all(glm::lessThanEqual(p, bounds.max));
-}
-
 BoundsAt enlarged(BoundsAt bounds, double factor) {
     const glm::dvec3 middle = 0.5 * (bounds.min + bounds.max);
     bounds.min = middle + factor * (bounds.min - middle);
@@ -38,7 +31,7 @@ BoundsAt enlarged(BoundsAt bounds, double factor) {
 
 // The k-th place of a sequence that covers the faces evenly.
 glm::dvec3 on_faces(const BoundsAt& bounds, int k) {
-    const double u = scene::halton(k, 2), v = scene::halton(k, 3);
+    const double u = halton(k, 2), v = halton(k, 3);
     if (bounds.shape == Bounds::Shape::sphere) {
         const double z = 2 * u - 1, r = std::sqrt(1 - z * z), a = 2 * std::numbers::pi * v;
         return bounds.centre + bounds.radius * glm::dvec3(r * std::cos(a), r * std::sin(a), z);
@@ -149,9 +142,7 @@ Sight sight(const OneSurface& one, const OneSurfaceAt& now) {
     };
     std::vector<glm::dvec3> inside;
     for (int k = 1; k <= points; ++k) {
-        const glm::dvec3 unit(scene::halton(k, 2), scene::halton(k, 3), scene::halton(k, 5));
-        const glm::dvec3 p =
-            now.surface.bounds.min + unit * (now.surface.bounds.max - now.surface.bounds.min);
+        const glm::dvec3 p = sample_point(now.surface.bounds, k);
         if (is_in(now.surface.bounds, p)) inside.push_back(p);
     }
     int in_solid = 0, left = 0;

@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "scene/halton.h"
+#include "probe/sample_points.h"
 
 namespace isomotion::probe {
 namespace {
@@ -40,8 +40,7 @@ std::vector<Sample> samples_of(const formula::Field& field, const SurfaceAt& sur
     values.resize(std::size_t(count));
     for (auto& part : gradients) part.resize(std::size_t(count));
     for (int k = 1; k <= count; ++k) {
-        const glm::dvec3 unit(scene::halton(k, 2), scene::halton(k, 3), scene::halton(k, 5));
-        const glm::dvec3 p = surface.bounds.min + unit * (surface.bounds.max - surface.bounds.min);
+        const glm::dvec3 p = sample_point(surface.bounds, k);
         for (int axis = 0; axis < 3; ++axis) at[std::size_t(axis)].push_back(T(p[axis]));
     }
     const auto bindings = formula::convert<T>(surface.bindings);

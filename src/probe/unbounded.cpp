@@ -9,13 +9,13 @@
 
 #include "formula/enclosure.h"
 #include "formula/graph/substitute.h"
-#include "scene/halton.h"
+#include "probe/sample_points.h"
 #include "scene/surfaces.h"
 
 namespace isomotion::probe {
 namespace {
 
-using scene::BoundsAt, scene::Bounds, scene::OneSurface, scene::SurfaceAt;
+using scene::BoundsAt, scene::OneSurface, scene::SurfaceAt;
 
 using formula::Interval, formula::Node, formula::NodeId, formula::Op;
 using Point = std::array<Interval, 3>;
@@ -28,11 +28,8 @@ bool has_bounds(const Interval& a) { return std::isfinite(a.lo) && std::isfinite
 std::vector<Point> points_of(const BoundsAt& bounds) {
     std::vector<Point> points;
     for (int k = 1; int(points.size()) < most_points; ++k) {
-        const glm::dvec3 unit(scene::halton(k, 2), scene::halton(k, 3), scene::halton(k, 5));
-        const glm::dvec3 p = bounds.min + unit * (bounds.max - bounds.min);
-        const bool is_in =
-            bounds.shape == Bounds::Shape::box || glm::distance(p, bounds.centre) <= bounds.radius;
-        if (is_in) points.push_back({p.x, p.y, p.z});
+        const glm::dvec3 p = sample_point(bounds, k);
+        if (is_in(bounds, p)) points.push_back({p.x, p.y, p.z});
     }
     return points;
 }

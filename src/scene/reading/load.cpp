@@ -1,90 +1,41 @@
 #include "scene/reading/load.h"
 
 #include <algorithm>
-#include <cerrno>
 #include <cmath>
 #include <functional>
 #include <numeric>
 #include <set>
 #include <span>
-#include <system_error>
 
 #include <fmt/format.h>
 
-#include "base/extension.h"
-#include "base/file_text.h"
-#include "base/nearest_name.h"
 #include "base/printable.h"
 #include "formula/graph/degree.h"
 #include "probe/found_bounds.h"
 #include "probe/measured.h"
 #include "probe/thresholds.h"
-#include "scene/data_folder.h"
 #include "scene/limits.h"
 #include "scene/reading/camera.h"
 #include "scene/reading/environment.h"
-#include "scene/reading/formula_scene.h"
+#include "scene/reading/isolation.h"
 #include "scene/reading/lights.h"
 #include "scene/reading/look.h"
 #include "scene/reading/material.h"
 #include "scene/reading/mistakes.h"
-#include "scene/reading/named_file.h"
 #include "scene/reading/names.h"
 #include "scene/reading/output.h"
 #include "scene/reading/overrides.h"
-#include "scene/reading/pov.h"
+#include "scene/reading/scene_document.h"
 #include "scene/reading/scene_text.h"
 #include "scene/reading/sections.h"
 #include "scene/reading/space.h"
 #include "scene/reading/surface.h"
 #include "scene/reading/surface_list.h"
-#include "scene/reading/surfer.h"
+#include "scene/reading/time.h"
 
 namespace isomotion::scene {
 namespace fs = std::filesystem;
 namespace {
-
-bool is_of_another_program(const fs::path& file) {
-    const std::string extension = base::lower_extension(file);
-    return extension == ".jsurf" || extension == ".pov";
-}
-
-fs::path locate(const std::string& scene) {
-    std::error_code error;
-    const fs::file_type type = fs::status(scene, error).type();
-    if (type == fs::file_type::directory)
-        throw SceneError(scene + ": is a folder; name a scene file (.toml)");
-    if (type == fs::file_type::none)
-        throw SceneError(fmt::format("{}: cannot be read: {}", scene, error.message()));
-    if (type != fs::file_type::not_found) return scene;
-    const fs::path extension = fs::path(scene).extension();
-    const bool looks_like_path =
-        scene.find('/') != scene.npos || extension == ".toml" || is_of_another_program(scene);
-    fs::path installed = animation_file(scene);
-    if (!looks_like_path && fs::exists(installed, error)) return installed;
-    for (const char* missing : {".toml", ".jsurf", ".pov"}) {
-        const fs::path meant = fs::path(scene).replace_extension(missing);
-        if (meant == fs::path(scene) || !fs::exists(meant, error)) continue;
-        throw SceneError(
-            fmt::format("{}: no such file; did you mean '{}'?", scene, meant.string()));
-    }
-    if (looks_like_path) throw SceneError(scene + ": no such file");
-    const auto known = animation_names();
-    const std::string near = base::nearest_name(scene, known);
-    // "r - 1" could be either.
-    if (near.empty() && scene.find('-') != scene.npos) {
-        throw SceneError(fmt::format("{0}: no such file, and no animation of this name; a formula "
-                                     "of one side has a 0 on the other: '{0} = 0'",
-                                     scene));
-    }
-    throw SceneError(
-        near.empty() ? fmt::format("{}: no such file, and no animation of this name; isomotion "
-                                   "list names the {} that there are",
-                                   scene, known.size())
-                     : fmt::format("{}: no such file, and no animation of this name; did you mean "
-                                   "'{}'?",
-                                   scene, near));
-}
 
 // It goes to terminals, windows and into pictures.
 std::string read_title(Section& document, const fs::path& file) {
@@ -96,85 +47,6 @@ std::string read_title(Section& document, const fs::path& file) {
                          limits::title_bytes));
     }
     return *title;
-}
-
-// `frames`, or as many as there are in `seconds`.
-int read_frames(Section& section, const animation::FrameRate& fps) {
-    const auto frames = section.integer("frames", 1, limits::frames);
-    const auto seconds = section.number("seconds", 1e-9, limits::frames);
-    if (!seconds) return frames.value_or(1);
-    const double count = std::round(*seconds * double(fps.numerator) / double(fps.denominator));
-    if (frames) {
-        fail(*section.find("seconds"), "time.seconds",
-             fmt::format("says again how long the scene is: {} frames; at fps = {}, frames = {} "
-                         "takes these {:g} seconds. Keep one of frames and seconds",
-                         *frames, animation::to_string(fps), count, *seconds));
-    }
-    if (count < 1 || count > limits::frames) {
-        fail(*section.find("seconds"), "time.seconds",
-             fmt::format("is {:g} frames; a scene has from 1 to {}", count, limits::frames));
-    }
-    return int(count);
-}
-
-void read_time(Section& document, Scene& scene, std::uint64_t& seed) {
-    auto section = document.section("time");
-    if (!section) return;
-    if (const toml::node* fps = section->find("fps")) {
-        std::optional<animation::FrameRate> rate;
-        if (const auto text = fps->value_exact<std::string>()) {
-            rate = animation::parse_frame_rate(*text);
-        } else if (fps->is_number()) {
-            rate = animation::parse_frame_rate(fmt::format("{}", read_finite(*fps, "time.fps")));
-        }
-        if (!rate)
-            fail(*fps, "time.fps",
-                 "must be above 0: 30, 23.976 (up to nine decimals) or \"30000/1001\"");
-        scene.timeline.fps = *rate;
-    }
-    scene.timeline.frames = read_frames(*section, scene.timeline.fps);
-    scene.timeline.loops = section->boolean("loop").value_or(false);
-    seed = std::uint64_t(section->integer("seed", 0, 2'147'483'647).value_or(0));
-    section->refuse_rest();
-}
-
-// The catalogue's settings first, the scene's own over them. False where no value was given.
-struct GivenThresholds {
-    bool step = false, near = false, far = false, horizon = false;
-    const toml::node* method = nullptr;
-};
-
-void read_isolation(Section& document, Isolation& isolation, GivenThresholds& given) {
-    auto section = document.section("isolation");
-    if (!section) return;
-    if (const auto text = section->text("method")) {
-        const auto method = parse_method(*text);
-        if (!method) {
-            std::vector<std::string> names;
-            for (const auto& entry : method_traits) names.emplace_back(entry.name);
-            fail(*section->find("method"), "isolation.method",
-                 fmt::format("there is no method '{}'; known: {}", *text, fmt::join(names, ", ")));
-        }
-        isolation.method = *method;
-        given.method = section->find("method");
-    }
-    const auto set = [&](const char* name, double least, double& value, bool& known) {
-        if (const auto number = section->number(name, least, 1e30)) {
-            value = *number;
-            known = true;
-        }
-    };
-    set("step", 1e-30, isolation.step, given.step);
-    set("near", 0, isolation.near, given.near);
-    set("far", 0, isolation.far, given.far);
-    set("horizon", 0, isolation.horizon, given.horizon);
-    isolation.bisections =
-        section->integer("bisections", 0, limits::bisections).value_or(isolation.bisections);
-    if (const auto beam = section->boolean("beam")) isolation.beam = *beam;
-    isolation.certify = section->boolean("certify").value_or(isolation.certify);
-    isolation.safety = section->number("safety", 1, 1e6).value_or(isolation.safety);
-    isolation.limit = section->integer("limit", 1, limits::evaluations).value_or(isolation.limit);
-    section->refuse_rest();
 }
 
 // What all arrays together ask for; `what` says how much of it.
@@ -292,8 +164,8 @@ Scene read_document_scene(toml::table& root, const fs::path& file, const base::C
     document.find("look");     // what it set is in the document
     document.find("surfaces"); // of which each is read as the one
     TrackTable tracks;
-    std::uint64_t seed = 0;
-    read_time(document, scene, seed);
+    const TimeParts time = read_time(document);
+    scene.timeline = time.timeline;
     Surface& surface = scene.surfaces.emplace_back();
     const auto parts = read_surface(document, scene.timeline, tracks, within, surface);
     tracks.place("surface.formula", parts->catalogue ? "formula" : "surface.formula",
@@ -319,7 +191,7 @@ Scene read_document_scene(toml::table& root, const fs::path& file, const base::C
     }
     document.refuse_rest();
 
-    surface.animation = tracks.animate(parts->arrays, seed);
+    surface.animation = tracks.animate(parts->arrays, time.seed);
     make_field(*parts);
     expect_surface(scene, *parts);
     make_paints(material, *parts);
@@ -517,45 +389,6 @@ Scene read_scene(toml::table& root, const Parse& parse, const fs::path& file,
     return scene;
 }
 
-// A document with where it stands, before it is read.
-struct SceneDocument {
-    toml::table root;
-    std::string text; // that it was parsed from
-    fs::path file;
-    base::Confines within;
-};
-
-toml::table parse_scene(std::string_view text, const fs::path& file) {
-    const std::string extension = base::lower_extension(file);
-    if (extension == ".jsurf") return parse_document(surfer_as_toml(text, file), file);
-    if (extension == ".pov") return parse_document(pov_as_toml(text, file), file);
-    return parse_document(text, file);
-}
-
-bool is_there(const std::string& name) {
-    std::error_code error;
-    const fs::file_type type = fs::status(name, error).type();
-    return type != fs::file_type::not_found && type != fs::file_type::none; // too long for a file
-}
-
-// Finds the document that load() is asked for.
-SceneDocument find_document(const std::string& name, const std::vector<Override>& overrides,
-                            Reach reach) {
-    if (is_formula(name) && !is_there(name)) {
-        return {scene_of_formula(name, overrides), "", "formula.toml",
-                confines(base::open_folder(fs::path()), reach)};
-    }
-    const fs::path file = locate(name);
-    // The scene and what it may name lie in one folder, wherever that folder's name leads later.
-    const base::FileDescriptor folder = base::open_folder(file.parent_path());
-    if (!folder) {
-        throw SceneError(fmt::format("{}: its folder cannot be opened: {}", file.string(),
-                                     std::generic_category().message(errno)));
-    }
-    const std::string text = base::file_text(folder, file, limits::scene_bytes);
-    return {parse_scene(text, file), text, file, confines(folder, reach)};
-}
-
 // A formula alone has no parameters but those that are set.
 std::string how_to_name(std::string_view mistake) {
     constexpr std::string_view start = "unknown name '";
@@ -573,19 +406,18 @@ Scene load_into(toml::table& root, const std::string& name, const std::vector<Ov
                 Reach reach) {
     SceneDocument document = find_document(name, overrides, reach);
     root = std::move(document.root);
-    const bool is_formula_alone = is_formula(name) && !is_there(name);
     try {
         Scene scene = read_scene(
             root, [&] { return parse_scene(document.text, document.file); }, document.file,
             overrides, document.within);
-        if (is_formula_alone) scene.formula = name;
+        if (is_formula_alone(name)) scene.formula = name;
         return scene;
     } catch (const SceneError& error) {
         // A formula's mistakes are in no file and in no --set.
         constexpr std::string_view place = "--set: surface.formula: ";
         std::string words = error.what();
         const std::size_t found = words.find(place);
-        if (!is_formula_alone || found == words.npos) throw;
+        if (!is_formula_alone(name) || found == words.npos) throw;
         words.erase(found, place.size());
         throw SceneError(words + how_to_name(std::string_view(words).substr(found)));
     }

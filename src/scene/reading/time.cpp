@@ -1,0 +1,57 @@
+#include "scene/reading/time.h"
+
+#include <cmath>
+#include <optional>
+
+#include <fmt/format.h>
+
+#include "scene/limits.h"
+
+namespace isomotion::scene {
+namespace {
+
+// `frames`, or as many as there are in `seconds`.
+int read_frames(Section& section, const animation::FrameRate& fps) {
+    const auto frames = section.integer("frames", 1, limits::frames);
+    const auto seconds = section.number("seconds", 1e-9, limits::frames);
+    if (!seconds) return frames.value_or(1);
+    const double count = std::round(*seconds * double(fps.numerator) / double(fps.denominator));
+    if (frames) {
+        fail(*section.find("seconds"), "time.seconds",
+             fmt::format("says again how long the scene is: {} frames; at fps = {}, frames = {} "
+                         "takes these {:g} seconds. Keep one of frames and seconds",
+                         *frames, animation::to_string(fps), count, *seconds));
+    }
+    if (count < 1 || count > limits::frames) {
+        fail(*section.find("seconds"), "time.seconds",
+             fmt::format("is {:g} frames; a scene has from 1 to {}", count, limits::frames));
+    }
+    return int(count);
+}
+
+} // namespace
+
+TimeParts read_time(Section& document) {
+    TimeParts read;
+    auto section = document.section("time");
+    if (!section) return read;
+    if (const toml::node* fps = section->find("fps")) {
+        std::optional<animation::FrameRate> rate;
+        if (const auto text = fps->value_exact<std::string>()) {
+            rate = animation::parse_frame_rate(*text);
+        } else if (fps->is_number()) {
+            rate = animation::parse_frame_rate(fmt::format("{}", read_finite(*fps, "time.fps")));
+        }
+        if (!rate)
+            fail(*fps, "time.fps",
+                 "must be above 0: 30, 23.976 (up to nine decimals) or \"30000/1001\"");
+        read.timeline.fps = *rate;
+    }
+    read.timeline.frames = read_frames(*section, read.timeline.fps);
+    read.timeline.loops = section->boolean("loop").value_or(false);
+    read.seed = std::uint64_t(section->integer("seed", 0, 2'147'483'647).value_or(0));
+    section->refuse_rest();
+    return read;
+}
+
+} // namespace isomotion::scene
