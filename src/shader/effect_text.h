@@ -31,7 +31,7 @@ void add_shading(ShaderText& text, const scene::OneSurface& one);
 // The same for what is seen in a mirror of one surface among several: seen_again().
 void add_seen_shading(ShaderText& text, const scene::OneSurface& one);
 // lit_again() alone, in the middle of a path; where add_surroundings() has declared the ground.
-void add_lit_again(ShaderText& text, const scene::Scene& scene);
+void add_lit_again(ShaderText& text, const scene::OneSurface& one);
 // Adds light_at().
 void add_lights(ShaderText& text, const scene::Scene& scene);
 

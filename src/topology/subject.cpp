@@ -12,7 +12,7 @@ Subject subject_of(const scene::Scene& scene, std::size_t first,
     const scene::OneSurface one(scene, first);
     const std::string& label = one.surface.label;
     if (!second)
-        return {one, {}, label.empty() ? scene.title : fmt::format("{} ({})", scene.title, label)};
+        return {one, {}, one.is_alone() ? scene.title : fmt::format("{} ({})", scene.title, label)};
     const scene::OneSurface other(scene, *second);
     return {one, other, fmt::format("{} ({}, {})", scene.title, label, other.surface.label)};
 }

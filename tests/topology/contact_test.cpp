@@ -10,6 +10,7 @@
 #include "topology/analyse.h"
 #include "topology/moving.h"
 #include "topology/solids.h"
+#include "topology/subject.h"
 #include "topology/told.h"
 
 namespace isomotion::topology {
@@ -232,6 +233,20 @@ TEST(Contact, IsNotToldWhereASurfaceIsScaledToAPoint) {
     EXPECT_FALSE(timeline.is_complete()) << described(timeline);
     const Contact grows{ball, apart + "transform = { scale = \"1 + 0.1*t\" }\n"};
     EXPECT_TRUE(grows.timeline().is_complete());
+}
+
+TEST(Subject, IsCalledByTheSurfacesThatItIsOf) {
+    const std::string ball = "bounds = { sphere = 2 }\nformula = 'x^2 + y^2 + z^2 - 1'\n";
+    const auto title = [](const scene::Scene& scene, std::size_t first,
+                          std::optional<std::size_t> second = {}) {
+        const Subject subject = subject_of(scene, first, second);
+        return header_of(subject, {0, 1}, {Side::negative, Side::negative}).title;
+    };
+    const scene::Scene two = scene_of("title = 'T'\n[[surfaces]]\nname = 'a'\n" + ball +
+                                      "[[surfaces]]\nname = 'b'\n" + ball);
+    EXPECT_EQ(title(two, 1), "T (b)");
+    EXPECT_EQ(title(two, 0, 1), "T (a, b)");
+    EXPECT_EQ(title(scene_of("title = 'T'\n[[surfaces]]\nname = 'a'\n" + ball), 0), "T");
 }
 
 } // namespace

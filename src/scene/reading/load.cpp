@@ -22,6 +22,7 @@
 #include "scene/reading/look.h"
 #include "scene/reading/material.h"
 #include "scene/reading/mistakes.h"
+#include "scene/reading/named_file.h"
 #include "scene/reading/names.h"
 #include "scene/reading/output.h"
 #include "scene/reading/overrides.h"
@@ -449,7 +450,7 @@ std::string scene_file_text(const std::string& name, const std::vector<Override>
                             Reach reach) {
     toml::table root;
     load_into(root, name, overrides, reach);
-    if (lists_surfaces(root) && root.contains("look")) {
+    if (lists_surfaces(root) && root["look"].value_or(std::string("none")) != "none") {
         throw SceneError(
             fmt::format("{}: a scene with [[surfaces]] and a look cannot be written as "
                         "a file; set look=none, or write the keys of the look",

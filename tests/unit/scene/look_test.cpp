@@ -108,6 +108,13 @@ TEST_F(Looks, TheWrittenSceneIsTheSame) {
     EXPECT_EQ(after.surfaces[0].look.name, "");
 }
 
+TEST_F(Looks, AreLeftOutWhereAListOfSurfacesIsToBeWritten) {
+    const std::string surface = "[[surfaces]]\nformula = 'x^2 + y^2 + z^2 - 1'\n";
+    const std::string file = write("scene.toml", day + surface + surface).string();
+    EXPECT_THROW(scene_file_text(file), SceneError);
+    EXPECT_NO_THROW(load_text(scene_file_text(file, {"look=none"}), "again.toml"));
+}
+
 TEST(InstalledLooks, FitEveryScene) {
     for (const std::string& look : look_names()) {
         const Scene scene = load("x^2 + y^2 + z^2 = 1", {"look=" + look});
