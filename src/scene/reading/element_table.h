@@ -15,6 +15,7 @@
 #include <string>
 #include <vector>
 
+#include "animation/element_samples.h"
 #include "animation/timeline.h"
 #include "base/confines.h"
 

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include <fmt/format.h>
+#include <isomotion/error.h>
 
 #include "base/workers.h"
 #include "topology/timeline/steps.h"
