@@ -133,22 +133,26 @@ void put(Named& all, const std::string& prefix, const Named& own) {
 
 } // namespace
 
-Overrides of_surface(const Overrides& all, const std::string& surface) {
-    const std::string prefix = prefix_of(surface);
+Overrides of_surface(const Overrides& all, const scene::OneSurface& one) {
+    if (one.is_alone()) return all;
+    const std::string prefix = prefix_of(one.surface.label);
     return {without_prefix(all.values, prefix), without_prefix(all.factors, prefix)};
 }
 
-void put_surface(Overrides& all, const std::string& surface, const Overrides& own) {
-    const std::string prefix = prefix_of(surface);
+void put_surface(Overrides& all, const scene::OneSurface& one, const Overrides& own) {
+    if (one.is_alone()) {
+        all = own;
+        return;
+    }
+    const std::string prefix = prefix_of(one.surface.label);
     put(all.values, prefix, own.values);
     put(all.factors, prefix, own.factors);
 }
 
 scene::Scene apply(scene::Scene scene, const Overrides& overrides) {
-    const bool has_several = scene.surfaces.size() > 1;
-    for (scene::Surface& surface : scene.surfaces) {
-        surface.animation = apply(surface.animation,
-                                  has_several ? of_surface(overrides, surface.label) : overrides);
+    for (std::size_t k = 0; k < scene.surfaces.size(); ++k) {
+        animation::Animation& animation = scene.surfaces[k].animation;
+        animation = apply(animation, of_surface(overrides, {scene, k}));
     }
     return scene;
 }

@@ -24,9 +24,10 @@ struct Overrides {
 };
 
 // With several surfaces, names begin with the surface's name: "NAME/m". of_surface() returns those
-// of one surface without that prefix; put_surface() replaces them by `own`.
-Overrides of_surface(const Overrides& all, const std::string& surface);
-void put_surface(Overrides& all, const std::string& surface, const Overrides& own);
+// of one surface without that prefix; put_surface() replaces them by `own`. The only surface of a
+// scene has all, and no prefix.
+Overrides of_surface(const Overrides& all, const scene::OneSurface& one);
+void put_surface(Overrides& all, const scene::OneSurface& one, const Overrides& own);
 
 // Fixes the tracks and multiplies the fields. Throws animation::ExpressionError for a number that
 // is not finite.

@@ -83,9 +83,7 @@ std::vector<scene::Override> render_settings(const Session& session) {
     };
     const std::string first = prefix(0);
     for (std::size_t k = 0; k < scene.surfaces.size(); ++k) {
-        const scene::Surface& surface = scene.surfaces[k];
-        add_overrides(surface.animation,
-                      has_several ? of_surface(look.overrides, surface.label) : look.overrides,
+        add_overrides(scene.surfaces[k].animation, of_surface(look.overrides, {scene, k}),
                       prefix(k), all);
     }
     if (look.camera) {

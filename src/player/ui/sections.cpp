@@ -363,26 +363,19 @@ void parameter_sliders(const std::vector<Slider>& all, const std::vector<ArrayCo
 }
 
 // Draws one surface's sliders; of several, under its name.
-void parameters_of(std::size_t k, Look& look, const Session& session, double time) {
-    const scene::Scene& scene = session.scene();
-    const bool has_several = scene.surfaces.size() > 1;
-    const std::string& name = scene.surfaces[k].label;
-    Overrides own = has_several ? of_surface(look.overrides, name) : look.overrides;
-    const animation::Animation& shown = session.overridden().surfaces[k].animation;
+void parameters_of(const scene::OneSurface& one, Look& look, const Session& session, double time) {
+    Overrides own = of_surface(look.overrides, one);
+    const animation::Animation& shown = session.overridden().surfaces[one.index].animation;
     const animation::Values values = shown.at(time);
-    ImGui::PushID(int(k));
-    if (has_several) {
+    ImGui::PushID(int(one.index));
+    if (!one.is_alone()) {
         ImGui::Spacing();
-        ImGui::TextUnformatted(name.c_str());
+        ImGui::TextUnformatted(one.surface.label.c_str());
     }
-    parameter_sliders(sliders(session.slider_ranges(k), values, own),
-                      array_controls(scene.surfaces[k].animation, values, own), own);
+    parameter_sliders(sliders(session.slider_ranges(one.index), values, own),
+                      array_controls(one.surface.animation, values, own), own);
     ImGui::PopID();
-    if (has_several) {
-        put_surface(look.overrides, name, own);
-    } else {
-        look.overrides = own;
-    }
+    put_surface(look.overrides, one, own);
 }
 
 } // namespace
@@ -393,7 +386,8 @@ void parameter_section(Look& look, const Session& session, double time) {
                           surfaces.front().animation.arrays().empty();
     if (has_none || !heading("Parameters")) return;
     const Overrides before = look.overrides;
-    for (std::size_t k = 0; k < surfaces.size(); ++k) parameters_of(k, look, session, time);
+    for (std::size_t k = 0; k < surfaces.size(); ++k)
+        parameters_of({session.scene(), k}, look, session, time);
     if (!before.empty() && ImGui::Button("give all back", {-1, 0})) look.overrides = {};
 }
 

@@ -160,8 +160,8 @@ TEST(Surfaces, OneAloneIsSeenAsItWas) {
         "[[sections]]\nnormal = [1, 2, 3]\noffset = 't'\n[[sections]]\nsphere = 0.25\n"
         "centre = [1, 0, 't']\n[ground]\nheight = -3\n[fog]\ndensity = 0.2\nstart = 1\n"
         "[ambient]\ntop = [0.1, 0.2, 0.3]\n[occlusion]\nradius = 0.7\nstrength = 0.5\n";
-    // What sections have no use for is no track, and the first surface's first track may be one
-    // that the other lacks.
+    // A section leaves some of its tracks unset. These must not be looked up: the second surface
+    // lacks the first one's first track.
     const Scene other =
         read("[[surfaces]]\nformula = 'x^2 + y^2 + z^2 - a'\nparameters = { a = 1 }\n"
              "bounds = { sphere = 2 }\n[[surfaces]]\nformula = 'x'\n"

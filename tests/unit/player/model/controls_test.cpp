@@ -255,13 +255,13 @@ TEST_F(Controls, OfSeveralSurfacesAreEachOnesOwn) {
                "parameters = { r = 1 }\n[[surfaces]]\nname = \"ring\"\n"
                "formula = \"x^2 + y^2 - r^2\"\nbounds = { sphere = 2 }\nparameters = { r = 2 }\n");
     Overrides all;
-    put_surface(all, "ring", {{{"r", 3}}, {}});
-    EXPECT_TRUE(of_surface(all, "ball").empty());
-    EXPECT_EQ(of_surface(all, "ring").values.at("r"), 3);
+    put_surface(all, {scene, 1}, {{{"r", 3}}, {}});
+    EXPECT_TRUE(of_surface(all, {scene, 0}).empty());
+    EXPECT_EQ(of_surface(all, {scene, 1}).values.at("r"), 3);
     const scene::Scene moved = apply(scene, all);
     EXPECT_EQ(value(moved, "r", 1), 1);
     EXPECT_EQ(value(scene::alone({moved, 1}), "r", 1), 3);
-    put_surface(all, "ring", {});
+    put_surface(all, {scene, 1}, {});
     EXPECT_TRUE(all.empty());
 }
 
