@@ -11,7 +11,7 @@ namespace {
 
 using scene::OneSurface, scene::SceneError, scene::SurfaceAt;
 
-// The most frames that are looked at evenly apart; the same where arrays move; and the most among
+// The most frames looked at, evenly apart; the same where arrays move; and the most among
 // which the extremes of parameters are looked for.
 constexpr int most_even = 9, most_of_arrays = 3, most_sampled = 1000;
 constexpr int most_extreme = 8;              // parameters of which extremes are looked for

@@ -89,7 +89,7 @@ public:
             sections_.push_back(in_formula_coordinates(section, now.surface.placement));
     }
 
-    // What is met first of what sections leave.
+    // The first hit that the sections leave visible.
     std::optional<Met> met(const Way& way) {
         if (sections_.empty()) {
             const auto t = root(way);
