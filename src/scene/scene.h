@@ -196,31 +196,6 @@ struct Material {
 
 inline constexpr double max_shininess = 10'000;
 
-struct ModelName {
-    Material::Model model;
-    std::string_view name;
-};
-
-inline constexpr ModelName model_names[] = {
-    {Material::Model::lambert, "lambert"},
-    {Material::Model::blinn_phong, "blinn-phong"},
-    {Material::Model::ggx, "ggx"},
-};
-
-constexpr std::string_view name(Material::Model model) {
-    for (const auto& entry : model_names) {
-        if (entry.model == model) return entry.name;
-    }
-    return "?";
-}
-
-constexpr std::optional<Material::Model> parse_model(std::string_view text) {
-    for (const auto& entry : model_names) {
-        if (entry.name == text) return entry.model;
-    }
-    return std::nullopt;
-}
-
 // Distant light from every direction, as a latitude-longitude map. The world's z axis points to the
 // top of the map, the x axis to its middle, the y axis to its left quarter.
 struct Environment {

@@ -8,6 +8,8 @@
 #include <glm/gtc/constants.hpp>
 
 #include "scene/error.h"
+#include "scene/key_tables.h"
+#include "scene/key_values.h"
 #include "scene/limits.h"
 #include "scene/value_error.h"
 
@@ -76,6 +78,26 @@ public:
         }
         return vector(track);
     }
+    // The value of a key, which must be one of those that its row allows.
+    template<class Row> double value(const Row& row, TrackId track) const {
+        const double value = number(track);
+        if (row.kind.allowed.contains(value)) return value;
+        fail(track, fmt::format("must be {}, not {}", row.kind.allowed.words(), value));
+    }
+    template<class Row> glm::dvec3 value(const Row& row, const Vec3Track& track) const {
+        if (row.kind.unit == keys::Unit::color) return color(track);
+        return {value(row, track[0]), value(row, track[1]), value(row, track[2])};
+    }
+    template<class Table, class Of, class At>
+    void put(const Table& table, const Of& of, At& to) const {
+        keys::put_values(table, of, to,
+                         [&](const auto& row, const auto& track) { return value(row, track); });
+    }
+    template<class At, class Table, class Of> At values(const Table& table, const Of& of) const {
+        At to;
+        put(table, of, to);
+        return to;
+    }
     [[noreturn]] void fail(const std::string& name, const std::string& message) const {
         throw ValueError(where(name), name, values_.time, message);
     }
@@ -139,12 +161,7 @@ public:
 
     PlacementAt placement() const {
         const Placement& from = surface_.placement;
-        PlacementAt to;
-        to.translate = vector(from.translate);
-        to.scale = number(from.scale);
-        if (!(to.scale > 0)) {
-            fail(from.scale, fmt::format("the scale must be above 0, not {}", to.scale));
-        }
+        auto to = values<PlacementAt>(keys::transform_keys, from);
         const glm::dvec3 angle = glm::radians(vector(from.rotate));
         const glm::dvec3 c = glm::cos(angle), s = glm::sin(angle);
         // GLM's matrices are written column by column.
@@ -158,53 +175,36 @@ public:
     // `all`: a sphere about everything, in the world.
     CameraAt camera(const Ball& all) const {
         const Camera& from = scene_.camera;
-        CameraAt to;
+        auto to = values<CameraAt>(keys::camera_keys, from);
         to.projection = from.projection;
-        to.up = vector(from.up);
         if (!has_direction(to.up)) fail(from.up[0], "`up` has no direction");
-        to.fov = number(from.fov);
-        if (!(to.fov > 0 && to.fov < 180)) {
-            fail(from.fov, fmt::format("the field of view must be above 0 and below 180 degrees, "
-                                       "not {}",
-                                       to.fov));
-        }
-        to.zoom = number(from.zoom);
-        if (!(to.zoom > 0)) {
-            fail(from.zoom, fmt::format("the zoom must be above 0, not {}", to.zoom));
-        }
         const double aspect = double(scene_.output.width) / scene_.output.height;
         const double slope = std::tan(glm::radians(to.fov) / 2);
 
-        to.target = from.target ? vector(*from.target) : all.centre;
+        if (!from.target) to.target = all.centre;
         // A sphere about the target that holds the bounds.
         const double reach = all.radius + glm::length(all.centre - to.target);
-        if (from.position) {
-            to.position = vector(*from.position);
-        } else {
+        if (!from.position) {
             const double narrow = std::atan(slope * std::min(aspect, 1.0));
             const double distance =
-                from.distance ? positive(*from.distance, "the distance") : reach / std::sin(narrow);
+                from.distance ? number(*from.distance) : reach / std::sin(narrow);
             to.position = to.target +
                           distance * on_orbit(to.up, number(from.azimuth), number(from.elevation));
         }
         check_place(to);
         if (from.height) {
-            to.height = long_enough(*from.height, "the height");
+            expect_long_enough(*from.height);
         } else if (from.position || from.distance) {
             // The height that a perspective camera there shows at the target.
             to.height = 2 * glm::length(to.position - to.target) * slope;
         } else {
             to.height = 2 * reach / std::min(aspect, 1.0);
         }
-        if (from.aperture) {
-            to.aperture = number(*from.aperture);
-            if (!(to.aperture >= 0)) {
-                fail(*from.aperture,
-                     fmt::format("the aperture must be 0 or above, not {}", to.aperture));
-            }
+        if (from.focus) {
+            expect_long_enough(*from.focus);
+        } else {
+            to.focus = glm::length(to.target - to.position);
         }
-        to.focus = from.focus ? long_enough(*from.focus, "the focus")
-                              : glm::length(to.target - to.position);
         return to;
     }
 
@@ -223,14 +223,12 @@ public:
     std::vector<LightAt> lights(const CameraAt& camera) const {
         std::vector<LightAt> lights;
         for (const Light& from : scene_.lights) {
-            LightAt light;
-            light.color = color(from.color);
+            auto light = values<LightAt>(keys::light_keys, from);
             light.direction = from.headlight     ? of_viewer(camera, {0.6, 0.8, 1})
                               : from.with_camera ? of_viewer(camera, vector(from.direction))
                                                  : vector(from.direction);
             light.is_point = from.is_point;
             if (from.radius) light.radius = radius(from, *from.radius);
-            if (from.falloff) light.falloff = positive(*from.falloff, "the distance");
             lights.push_back(light);
             if (light.is_point) continue;
             if (!has_direction(light.direction))
@@ -243,23 +241,23 @@ public:
     // The numbers of the material's model, in the order of the `gloss` of its shader.
     glm::dvec4 gloss() const {
         const Material& from = surface_.material;
-        switch (from.model) {
-        case Material::Model::lambert:
-            break;
-        case Material::Model::blinn_phong:
-            return {if_given(from.shininess, max_shininess), if_given(from.specular, 1), 0, 0};
-        case Material::Model::ggx:
-            return {if_given(from.roughness, 1), if_given(from.metallic, 1),
-                    if_given(from.specular, 1), 0};
-        }
-        return glm::dvec4(0);
+        glm::dvec4 numbers(0);
+        keys::for_each_model([&](Material::Model model, const auto& table) {
+            if (model != from.model) return;
+            int k = 0;
+            keys::for_each_row(table, [&](const auto& row) {
+                if (const auto& track = from.*row.track) numbers[k] = value(row, *track);
+                ++k;
+            });
+        });
+        return numbers;
     }
 
-    GroundAt ground(const Ground& from) const { return {number(from.height), color(from.color)}; }
-
     SectionAt section(const Cut& from) const {
-        if (from.is_ball)
-            return {true, vector(from.centre), not_negative(from.radius, "the radius")};
+        if (from.is_ball) {
+            const auto ball = values<SectionAt>(keys::cut_ball_keys, from);
+            return {true, ball.where, ball.reach};
+        }
         const glm::dvec3 normal = vector(from.normal);
         if (!has_direction(normal))
             fail(from.normal[0], "the normal has length 0, and no direction");
@@ -268,40 +266,18 @@ public:
                 glm::dot(normal / length, vector(from.point)) + number(from.offset)};
     }
 
-    ContoursAt contours(const Contours& from) const {
-        return {positive(from.every, "how far contours are apart"), number(from.from),
-                not_negative(from.width, "the width"), color(from.color)};
-    }
-
-    GlassAt glass(const Glass& from) const {
-        GlassAt to{within(from.transmission, 1), number(from.ior), {}};
-        if (!(to.ior >= 0.01 && to.ior <= 100)) {
-            fail(from.ior,
-                 fmt::format("the index of refraction must be from 0.01 to 100, not {}", to.ior));
-        }
-        for (int k = 0; k < 3; ++k) to.absorption[k] = within(from.absorption[std::size_t(k)], 1e6);
-        return to;
-    }
-
-    FogAt fog(const Fog& from) const {
-        return {not_negative(from.density, "the density"), not_negative(from.start, "the start"),
-                color(from.color)};
-    }
-
     OcclusionAt occlusion(const Occlusion& from, double size) const {
-        OcclusionAt to;
-        to.reach = from.reach ? positive(*from.reach, "the radius") : 0.2 * size;
-        to.strength = within(from.strength, 1);
+        auto to = values<OcclusionAt>(keys::occlusion_keys, from);
+        if (!from.reach) to.reach = 0.2 * size;
         return to;
     }
 
     EnvironmentAt environment(const Environment& from) const {
-        EnvironmentAt to;
+        auto to = values<EnvironmentAt>(keys::environment_keys, from);
         // Whole turns are taken off before the conversion, which rounds them.
         const double angle = glm::radians(std::remainder(number(from.rotation), 360.0));
         to.ahead = {std::cos(angle), std::sin(angle), 0};
         to.left = {-std::sin(angle), std::cos(angle), 0};
-        to.intensity = within(from.intensity, limits::brightness);
         return to;
     }
 
@@ -343,38 +319,17 @@ private:
     }
 
     double radius(const Light& light, TrackId radius) const {
-        if (light.is_point) return not_negative(radius, "the radius");
-        constexpr double widest = 45; // degrees
-        return std::tan(glm::radians(within(radius, widest)));
+        if (light.is_point) return number(radius);
+        constexpr keys::Allowed disc = keys::from_to(0, 45); // degrees
+        if (disc.contains(number(radius))) return std::tan(glm::radians(number(radius)));
+        fail(radius, fmt::format("must be {}, not {}", disc.words(), number(radius)));
     }
-    double positive(TrackId track, const char* what) const {
+    // Rays are scaled by such a length.
+    void expect_long_enough(TrackId track) const {
         const double value = number(track);
-        if (!(value > 0)) fail(track, fmt::format("{} must be above 0, not {}", what, value));
-        return value;
-    }
-    // Reads a length that rays are scaled by.
-    double long_enough(TrackId track, const char* what) const {
-        const double value = positive(track, what);
-        if (value >= limits::least_radius * number(surface_.placement.scale)) return value;
-        fail(track, fmt::format("{} must be at least {:g} in the formula's coordinates, not {}",
-                                what, limits::least_radius, value));
-    }
-    double not_negative(TrackId track, const char* what) const {
-        const double value = number(track);
-        if (value < 0) fail(track, fmt::format("{} must not be below 0, as {} is", what, value));
-        return value;
-    }
-    double within(TrackId track, double most) const {
-        const double value = number(track);
-        if (!(0 <= value && value <= most)) {
-            fail(track, fmt::format("must be from 0 to {}, not {}", most, value));
-        }
-        return value;
-    }
-
-    // A number that the material's model lacks is 0.
-    double if_given(const std::optional<TrackId>& track, double most) const {
-        return track ? within(*track, most) : 0;
+        if (value >= limits::least_radius * number(surface_.placement.scale)) return;
+        fail(track, fmt::format("must be at least {:g} in the formula's coordinates, not {}",
+                                limits::least_radius, value));
     }
 
     template<class Name> void check(double value, Name&& name) const {
@@ -419,22 +374,16 @@ private:
 SceneAt in_formula_coordinates(SceneAt scene) {
     const PlacementAt first = scene.surfaces.front().placement;
     const glm::dmat3 to_local = glm::transpose(first.rotate);
-    scene.camera.position = first.to_local(scene.camera.position);
-    scene.camera.target = first.to_local(scene.camera.target);
-    scene.camera.up = to_local * scene.camera.up;
-    for (double* length : {&scene.camera.height, &scene.camera.aperture, &scene.camera.focus}) {
-        *length /= first.scale;
-    }
+    keys::move_values(keys::camera_keys, scene.camera, first);
     for (LightAt& light : scene.lights) {
+        keys::move_values(keys::light_keys, light, first);
         light.direction =
             light.is_point ? first.to_local(light.direction) : to_local * light.direction;
-        light.falloff /= first.scale;
         if (light.is_point) light.radius /= first.scale;
     }
     for (SectionAt& section : scene.sections) section = in_formula_coordinates(section, first);
-    scene.fog.density *= first.scale;
-    scene.fog.start /= first.scale;
-    scene.occlusion.reach /= first.scale;
+    keys::move_values(keys::fog_keys, scene.fog, first);
+    keys::move_values(keys::occlusion_keys, scene.occlusion, first);
     if (scene.environment) {
         for (auto axis : {&EnvironmentAt::ahead, &EnvironmentAt::left, &EnvironmentAt::top}) {
             (*scene.environment).*axis = to_local * (*scene.environment).*axis;
@@ -444,7 +393,7 @@ SceneAt in_formula_coordinates(SceneAt scene) {
         surface.placement.translate = first.to_local(surface.placement.translate);
         surface.placement.rotate = to_local * surface.placement.rotate;
         surface.placement.scale /= first.scale;
-        surface.glass.absorption *= first.scale;
+        keys::move_values(keys::glass_keys, surface.glass, first);
     }
     scene.surfaces.front().placement = {}; // exactly
     return scene;
@@ -469,10 +418,11 @@ SurfaceAt surface_at(const Surface& surface, const Reader& read,
     const Material& material = surface.material;
     now.color = read.color(material.color);
     if (material.paint) now.paint_range = read.range(*material.paint);
-    if (material.inside) now.inside_color = read.color(*material.inside);
-    if (material.cap) now.cap_color = read.color(*material.cap);
-    if (material.contours) now.contours = read.contours(*material.contours);
-    if (material.glass) now.glass = read.glass(*material.glass);
+    read.put(keys::color_keys, material, now);
+    read.put(keys::cap_keys, material, now);
+    if (material.contours)
+        now.contours = read.values<ContoursAt>(keys::contour_keys, *material.contours);
+    if (material.glass) now.glass = read.values<GlassAt>(keys::glass_keys, *material.glass);
     now.gloss = read.gloss();
     return now;
 }
@@ -495,10 +445,9 @@ SceneAt at(const Scene& scene, double time) {
     now.camera = read.camera(all);
     now.lights = read.lights(now.camera);
     for (const Cut& cut : scene.sections) now.sections.push_back(read.section(cut));
-    if (scene.ground) now.ground = read.ground(*scene.ground);
-    if (scene.fog) now.fog = read.fog(*scene.fog);
-    if (scene.ambient)
-        now.ambient = {read.color(scene.ambient->top), read.color(scene.ambient->bottom)};
+    if (scene.ground) now.ground = read.values<GroundAt>(keys::ground_keys, *scene.ground);
+    if (scene.fog) now.fog = read.values<FogAt>(keys::fog_keys, *scene.fog);
+    if (scene.ambient) now.ambient = read.values<AmbientAt>(keys::ambient_keys, *scene.ambient);
     if (scene.occlusion) now.occlusion = read.occlusion(*scene.occlusion, all.radius);
     if (scene.environment) now.environment = read.environment(*scene.environment);
     return now;

@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <functional>
 #include <string_view>
-#include <type_traits>
 
 #include <fmt/format.h>
 
 #include "scene/error.h"
+#include "scene/key_tables.h"
 
 namespace isomotion::scene {
 
@@ -15,58 +15,23 @@ namespace {
 
 // Calls visit() with each track of the settings that all surfaces of a scene share.
 template<class Visit> void for_each_shared_track(Scene& scene, const Visit& visit) {
-    const auto single = [&](TrackId& track) { visit(track); };
-    const auto all = [&](Vec3Track& tracks) { std::ranges::for_each(tracks, visit); };
-    const auto given = [&](auto& setting) {
-        using Setting = std::remove_cvref_t<decltype(*setting)>;
-        if (!setting) return;
-        if constexpr (std::is_same_v<Setting, TrackId>) single(*setting);
-        if constexpr (std::is_same_v<Setting, Vec3Track>) all(*setting);
-    };
-    Camera& camera = scene.camera;
-    for (auto* setting : {&camera.position, &camera.target}) given(*setting);
-    for (auto* setting : {&camera.distance, &camera.height, &camera.aperture, &camera.focus})
-        given(*setting);
-    for (auto* track : {&camera.azimuth, &camera.elevation, &camera.fov, &camera.zoom})
-        single(*track);
-    all(camera.up);
+    keys::for_each_track(keys::camera_keys, scene.camera, visit);
     for (Light& light : scene.lights) {
-        all(light.direction);
-        all(light.color);
-        given(light.falloff);
-        given(light.radius);
+        std::ranges::for_each(light.direction, visit);
+        keys::for_each_track(keys::light_keys, light, visit);
     }
     for (Cut& cut : scene.sections) {
         if (cut.is_ball) {
-            all(cut.centre);
-            single(cut.radius);
+            keys::for_each_track(keys::cut_ball_keys, cut, visit);
         } else {
-            all(cut.normal);
-            all(cut.point);
-            single(cut.offset);
+            keys::for_each_track(keys::plane_keys, cut, visit);
         }
     }
-    if (scene.ground) {
-        single(scene.ground->height);
-        all(scene.ground->color);
-    }
-    if (scene.fog) {
-        single(scene.fog->density);
-        single(scene.fog->start);
-        all(scene.fog->color);
-    }
-    if (scene.ambient) {
-        all(scene.ambient->top);
-        all(scene.ambient->bottom);
-    }
-    if (scene.occlusion) {
-        given(scene.occlusion->reach);
-        single(scene.occlusion->strength);
-    }
-    if (scene.environment) {
-        single(scene.environment->rotation);
-        single(scene.environment->intensity);
-    }
+    if (scene.ground) keys::for_each_track(keys::ground_keys, *scene.ground, visit);
+    if (scene.fog) keys::for_each_track(keys::fog_keys, *scene.fog, visit);
+    if (scene.ambient) keys::for_each_track(keys::ambient_keys, *scene.ambient, visit);
+    if (scene.occlusion) keys::for_each_track(keys::occlusion_keys, *scene.occlusion, visit);
+    if (scene.environment) keys::for_each_track(keys::environment_keys, *scene.environment, visit);
 }
 
 } // namespace

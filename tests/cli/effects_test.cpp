@@ -130,9 +130,9 @@ TEST_F(Effects, MistakesNameTheirKey) {
              {"[[lights]]\ndirection = [1, 0, 0]\nposition = [1, 0, 0]\n",
               "needs one of direction"},
              {"[[lights]]\ndirection = [1, 0, 0]\nfalloff = 2\n", "lights[0].falloff"},
-             {"[ground]\ncolor = [1, 1, 1]\n", "needs height"},
-             {"[fog]\nstart = 1\n", "needs density"},
-             {"[fog]\ndensity = -1\n", "must not be below 0"},
+             {"[ground]\ncolor = [1, 1, 1]\n", "height: is missing; give"},
+             {"[fog]\nstart = 1\n", "density: is missing; give"},
+             {"[fog]\ndensity = -1\n", "must be 0 or above"},
              {"[occlusion]\nstrength = 2\n", "occlusion.strength"},
              {"[occlusion]\nreach = 0\n", "above 0"},
              {"[material]\nreflection = \"mirror\"\n", "known: sky, self"}}) {

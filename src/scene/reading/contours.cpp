@@ -2,7 +2,9 @@
 
 #include "formula/contours.h"
 #include "formula/graph/parser.h"
+#include "scene/key_tables.h"
 #include "scene/reading/paint.h"
+#include "scene/reading/read_keys.h"
 
 namespace isomotion::scene {
 
@@ -15,22 +17,7 @@ ContourParts read_contours(Section section, TrackTable& tracks) {
              "is missing; give an expression of x, y, z, t and the surface's parameters");
     }
     parts.value = *section.text("value");
-    const auto number = [&](const char* name, double preset) {
-        const toml::node* node = section.find(name);
-        return tracks.add(section.dotted(name),
-                          node ? *section.track(name) : animation::TrackSource(preset), node);
-    };
-    if (!section.has("every")) {
-        fail(section.table(), section.dotted("every"),
-             "is missing; give how far apart in value the lines are, as 0.1");
-    }
-    parts.contours.every = number("every", 1);
-    parts.contours.from = number("from", 0);
-    parts.contours.width = number("width", 1);
-    const toml::node* color = section.find("color");
-    parts.contours.color =
-        color ? tracks.add(section.dotted("color"), *section.vector("color"), color)
-              : tracks.add(section.dotted("color"), 0, 0, 0);
+    read_keys(keys::contour_keys, section, parts.contours, tracks);
     section.refuse_rest();
     return parts;
 }

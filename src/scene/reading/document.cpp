@@ -168,6 +168,22 @@ std::optional<Section> Section::section(const std::string& name) {
     return Section(*node->as_table(), dotted(name));
 }
 
+std::vector<Section> Section::list(const std::string& name, const char* one, int most) {
+    std::vector<Section> sections;
+    const toml::node* node = find(name);
+    if (!node) return sections;
+    const toml::array* list = node->as_array();
+    if (!list || list->empty() || !list->is_array_of_tables()) {
+        fail(*node, dotted(name),
+             fmt::format("must be written as [[{}]], one such table a {}", name, one));
+    }
+    if (list->size() > std::size_t(most))
+        fail(*node, dotted(name), fmt::format("at most {}", most));
+    for (const toml::node& table : *list)
+        sections.emplace_back(*table.as_table(), fmt::format("{}[{}]", name, sections.size()));
+    return sections;
+}
+
 std::optional<std::string> Section::text(const std::string& name) {
     const toml::node* node = find(name);
     if (!node) return std::nullopt;

@@ -55,9 +55,14 @@ public:
     const toml::node* find(const std::string& name);
     bool has(const std::string& name) const { return table_->contains(written(name)); }
     const toml::table& table() const { return *table_; }
+    const std::string& key() const { return key_; }
     // The key as the document writes it, for messages.
     std::string dotted(const std::string& name) const;
     std::optional<Section> section(const std::string& name);
+
+    // The tables of [[name]], each a section "name[k]"; empty if there is none. `one`: what a table
+    // is.
+    std::vector<Section> list(const std::string& name, const char* one, int most);
 
     std::optional<std::string> text(const std::string& name);
     std::optional<double> number(const std::string& name, double least, double most);

@@ -1,21 +1,22 @@
 #include "scene/reading/environment.h"
 
 #include "scene/data_folder.h"
+#include "scene/key_tables.h"
 #include "scene/reading/named_file.h"
+#include "scene/reading/read_keys.h"
 
 namespace isomotion::scene {
 namespace {
 
 // One of [output] and [environment] is behind the surface, not both.
-bool read_background(Section& section, Section& document) {
+void settle_background(Environment& environment, Section& section, Section& document) {
     const auto output = document.section("output");
-    const bool other = output && output->has("background");
-    const bool own = section.boolean("background").value_or(!other);
-    if (own && other) {
+    if (!output || !output->has("background")) return;
+    if (section.has("background") && environment.background) {
         fail(*section.find("background"), "environment.background",
              "the scene has output.background already; keep one");
     }
-    return own;
+    environment.background = false;
 }
 
 } // namespace
@@ -35,14 +36,8 @@ std::optional<Environment> read_environment(Section& document, TrackTable& track
     environment.map =
         named_file(map, "environment.map", std::array{beside(map, *name), media_file(*name)},
                    environment.within);
-    const auto number = [&](const std::string& key, double value) {
-        const auto source = section->track(key);
-        return tracks.add("environment." + key, source ? *source : animation::TrackSource(value),
-                          section->find(key));
-    };
-    environment.rotation = number("rotation", 0);
-    environment.intensity = number("intensity", 1);
-    environment.background = read_background(*section, document);
+    read_keys(keys::environment_keys, *section, environment, tracks);
+    settle_background(environment, *section, document);
     section->refuse_rest();
     return environment;
 }

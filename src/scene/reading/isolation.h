@@ -2,6 +2,7 @@
 #pragma once
 
 #include "scene/reading/document.h"
+#include "scene/reading/track_table.h"
 #include "scene/scene.h"
 
 namespace isomotion::scene {
@@ -12,6 +13,7 @@ struct GivenThresholds {
 };
 
 // Call it for the catalogue's settings first, then for the scene's own, which go before these.
-void read_isolation(Section& document, Isolation& isolation, GivenThresholds& given);
+void read_isolation(Section& document, Isolation& isolation, GivenThresholds& given,
+                    TrackTable& tracks);
 
 } // namespace isomotion::scene

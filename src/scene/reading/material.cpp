@@ -1,33 +1,17 @@
 #include "scene/reading/material.h"
 
-#include <algorithm>
+#include <map>
 
 #include <fmt/format.h>
 
-#include "base/nearest_name.h"
 #include "formula/graph/vocabulary.h"
-#include "scene/limits.h"
+#include "scene/key_tables.h"
+#include "scene/reading/read_keys.h"
 
 namespace isomotion::scene {
 namespace {
 
 using Model = Material::Model;
-
-// An animated value of a model, and its default.
-struct Gloss {
-    Model model;
-    const char* name;
-    std::optional<TrackId> Material::*track;
-    double standard;
-};
-
-constexpr Gloss gloss_keys[] = {
-    {Model::blinn_phong, "shininess", &Material::shininess, 50},
-    {Model::blinn_phong, "specular", &Material::specular, 0.2},
-    {Model::ggx, "roughness", &Material::roughness, 0.4},
-    {Model::ggx, "metallic", &Material::metallic, 0},
-    {Model::ggx, "specular", &Material::specular, 0.04}, // glass and most plastics
-};
 
 // The scene's colours, else the catalogue's.
 void read_colors(std::optional<Section>& own, SurfaceParts& parts, MaterialParts& read,
@@ -59,80 +43,43 @@ void read_colors(std::optional<Section>& own, SurfaceParts& parts, MaterialParts
     if (catalogue) catalogue->refuse_rest();
 }
 
-Model read_model(Section& section) {
-    const auto text = section.text("model");
-    if (!text) return Model::lambert;
-    if (const auto model = parse_model(*text)) return *model;
-    std::vector<std::string> known;
-    for (const auto& entry : model_names) known.emplace_back(entry.name);
-    const std::string near = base::nearest_name(*text, known);
-    fail(*section.find("model"), section.dotted("model"),
-         fmt::format("there is no model '{}'; {}known: {}", *text,
-                     near.empty() ? "" : fmt::format("did you mean '{}'? ", near),
-                     fmt::join(known, ", ")));
-}
-
+// A model has keys that others lack.
 void read_gloss(Section& section, Material& material, TrackTable& tracks) {
-    for (const Gloss& key : gloss_keys) {
-        if (key.model != material.model) continue;
-        const std::string name = section.dotted(key.name);
-        material.*key.track = tracks.add(name, section.track(key.name).value_or(key.standard),
-                                         section.find(key.name));
-    }
-    for (const Gloss& key : gloss_keys) {
-        const toml::node* node = section.find(key.name);
-        if (!node || material.*key.track) continue;
-        std::vector<std::string_view> owners;
-        for (const Gloss& other : gloss_keys) {
-            if (other.track == key.track) owners.push_back(name(other.model));
-        }
-        fail(*node, section.dotted(key.name),
-             fmt::format("{} is of model{} {}; this one is {}", key.name,
-                         owners.size() > 1 ? "s" : "", fmt::join(owners, " and "),
-                         name(material.model)));
+    keys::for_each_model([&](Model model, const auto& table) {
+        if (model == material.model) read_keys(table, section, material, tracks);
+    });
+    std::map<std::string_view, std::vector<std::string_view>> owners;
+    keys::for_each_model([&](Model model, const auto& table) {
+        keys::for_each_row(table, [&](const auto& row) {
+            if (!section.find(row.name) || material.*row.track) return;
+            owners[row.name].push_back(keys::name(keys::model_words, model));
+        });
+    });
+    for (const auto& [key, models] : owners) {
+        fail(*section.find(std::string(key)), section.dotted(std::string(key)),
+             fmt::format("{} is of model{} {}; this one is {}", key, models.size() > 1 ? "s" : "",
+                         fmt::join(models, " and "),
+                         keys::name(keys::model_words, material.model)));
     }
 }
 
-// Light goes in where `transmission` says so; the other keys are of what it goes through.
 void read_glass(Section& section, Material& material, TrackTable& tracks) {
-    const toml::node* transmission = section.find("transmission");
-    for (const char* name : {"ior", "absorption", "depth", "priority"}) {
-        const toml::node* node = section.find(name);
-        if (!node || transmission) continue;
-        fail(*node, section.dotted(name),
-             fmt::format("{} is of matter that light goes through; give transmission = 1 as well",
-                         name));
+    if (!section.has("transmission")) {
+        keys::for_each_row(keys::glass_keys, [&](const auto& row) {
+            if (const toml::node* node = section.find(row.name)) {
+                fail(*node, section.dotted(row.name),
+                     fmt::format("{} is of matter that light goes through; give transmission = 1 "
+                                 "as well",
+                                 row.name));
+            }
+        });
+        return;
     }
-    if (!transmission) return;
-    Glass& glass = material.glass.emplace();
-    const auto add = [&](const char* name, double standard) {
-        return tracks.add(section.dotted(name), section.track(name).value_or(standard),
-                          section.find(name));
-    };
-    glass.transmission = add("transmission", 1);
-    glass.ior = add("ior", 1.5); // glass; water has 1.33
-    const toml::node* absorption = section.find("absorption");
-    glass.absorption = absorption ? tracks.add(section.dotted("absorption"),
-                                               *section.vector("absorption"), absorption)
-                                  : tracks.add(section.dotted("absorption"), 0, 0, 0);
-    glass.depth = section.integer("depth", 0, limits::glass_depth).value_or(glass.depth);
-    glass.priority =
-        section.integer("priority", -limits::priority, limits::priority).value_or(glass.priority);
+    read_keys(keys::glass_keys, section, material.glass.emplace(), tracks);
     if (material.reflection == Material::Reflection::none) return;
     fail(*section.find("reflection"), section.dotted("reflection"),
          "what light goes through mirrors what is around by its ior; leave reflection out, or "
          "transmission");
-}
-
-void read_reflection(Section& section, Material& material) {
-    using Reflection = Material::Reflection;
-    const auto text = section.text("reflection");
-    if (!text) return;
-    if (*text != "sky" && *text != "self") {
-        fail(*section.find("reflection"), section.dotted("reflection"),
-             fmt::format("there is no reflection '{}'; known: sky, self", *text));
-    }
-    material.reflection = *text == "sky" ? Reflection::sky : Reflection::self;
 }
 
 } // namespace
@@ -143,11 +90,9 @@ MaterialParts read_material(Section& document, SurfaceParts& parts, TrackTable& 
     auto own = document.section("material");
     read_colors(own, parts, read, tracks);
     if (own) {
-        if (const toml::node* cap = own->find("cap_color"))
-            material.cap = tracks.add("material.cap_color", *own->vector("cap_color"), cap);
-        material.model = read_model(*own);
+        read_keys(keys::cap_keys, *own, material, tracks);
+        read_keys(keys::material_keys, *own, material, tracks);
         read_gloss(*own, material, tracks);
-        read_reflection(*own, material);
         read_glass(*own, material, tracks);
         if (auto paint = own->section("colormap")) read.colormap = read_paint(*paint, tracks);
         if (auto lines = own->section("contours")) read.contours = read_contours(*lines, tracks);

@@ -2,26 +2,14 @@
 
 #include <fmt/format.h>
 
-#include "base/nearest_name.h"
 #include "formula/graph/parser.h"
 #include "probe/shown_range.h"
+#include "scene/key_tables.h"
 #include "scene/limits.h"
+#include "scene/reading/read_keys.h"
 
 namespace isomotion::scene {
 namespace {
-
-ColorMap read_map(Section& section) {
-    const auto text = section.text("map");
-    if (!text) return ColorMap::blue_yellow;
-    if (const auto map = parse_color_map(*text)) return *map;
-    std::vector<std::string> names;
-    for (const auto& entry : color_map_names) names.emplace_back(entry.name);
-    const std::string near = base::nearest_name(*text, names);
-    fail(*section.find("map"), section.dotted("map"),
-         near.empty()
-             ? fmt::format("there is no map '{}'; known: {}", *text, fmt::join(names, ", "))
-             : fmt::format("there is no map '{}'; did you mean '{}'?", *text, near));
-}
 
 void read_range(Section& section, PaintParts& parts, TrackTable& tracks) {
     const std::string key = section.dotted("range");
@@ -55,7 +43,7 @@ PaintParts read_paint(Section section, TrackTable& tracks) {
     parts.value = *section.text("value");
     parts.value_key = section.dotted("value");
     read_range(section, parts, tracks);
-    parts.paint.map = read_map(section);
+    read_keys(keys::colormap_keys, section, parts.paint, tracks);
     section.refuse_rest();
     return parts;
 }

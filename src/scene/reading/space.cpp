@@ -1,6 +1,26 @@
 #include "scene/reading/space.h"
 
+#include "scene/key_tables.h"
+#include "scene/reading/read_keys.h"
+
 namespace isomotion::scene {
+namespace {
+
+void read_box(const toml::node& box, Bounds& bounds, TrackTable& tracks) {
+    bounds.shape = Bounds::Shape::box;
+    const std::string key = "surface.bounds.box";
+    const toml::array* corners = box.as_array();
+    if (!corners || corners->size() != 2)
+        fail(box, key, "must be two corners: [[x0, y0, z0], [x1, y1, z1]]");
+    const auto corner = [&](std::size_t k, const char* name) {
+        const toml::node& node = *corners->get(k);
+        return tracks.add(key + name, read_vector(node, fmt::format("{}[{}]", key, k)), &node);
+    };
+    bounds.min = corner(0, ".min");
+    bounds.max = corner(1, ".max");
+}
+
+} // namespace
 
 void read_space(Section& document, SurfaceParts& parts, TrackTable& tracks) {
     auto section = document.section("surface");
@@ -17,42 +37,20 @@ void read_space(Section& document, SurfaceParts& parts, TrackTable& tracks) {
         fail(given->table(), "surface.bounds",
              "needs one of sphere = radius and box = [[..], [..]]");
     }
+    Section named(given->table(), "surface.bounds"); // also those of the catalogue
     if (box) {
-        bounds.shape = Bounds::Shape::box;
-        const toml::array* corners = box->as_array();
-        if (!corners || corners->size() != 2) {
-            fail(*box, "surface.bounds.box", "must be two corners: [[x0, y0, z0], [x1, y1, z1]]");
-        }
-        const std::string key = "surface.bounds.box";
-        bounds.min =
-            tracks.add(key + ".min", read_vector(*corners->get(0), key + "[0]"), corners->get(0));
-        bounds.max =
-            tracks.add(key + ".max", read_vector(*corners->get(1), key + "[1]"), corners->get(1));
+        read_box(*box, bounds, tracks);
     } else {
-        bounds.radius = tracks.add("surface.bounds.sphere", *given->track("sphere"), sphere);
-        const toml::node* centre = given->find("centre");
-        bounds.centre = centre
-                            ? tracks.add("surface.bounds.centre", *given->vector("centre"), centre)
-                            : tracks.add("surface.bounds.centre", 0, 0, 0);
+        read_keys(keys::ball_keys, named, bounds, tracks);
+        given->find("centre");
     }
     given->refuse_rest();
 
-    Placement& placement = parts.surface.placement;
+    const toml::table none;
     auto place = section->section("transform");
-    const auto dotted = [&](const std::string& name) {
-        return section->dotted("transform") + '.' + name;
-    };
-    const auto vector = [&](const std::string& name) {
-        const std::string key = dotted(name);
-        const toml::node* node = place ? place->find(name) : nullptr;
-        return node ? tracks.add(key, *place->vector(name), node) : tracks.add(key, 0, 0, 0);
-    };
-    placement.translate = vector("translate");
-    placement.rotate = vector("rotate");
-    const toml::node* scale = place ? place->find("scale") : nullptr;
-    placement.scale = tracks.add(
-        dotted("scale"), scale ? *place->track("scale") : animation::TrackSource(1.0), scale);
-    if (place) place->refuse_rest();
+    Section transform = place ? *place : Section(none, section->dotted("transform"));
+    read_keys(keys::transform_keys, transform, parts.surface.placement, tracks);
+    transform.refuse_rest();
 }
 
 } // namespace isomotion::scene

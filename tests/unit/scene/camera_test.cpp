@@ -177,8 +177,8 @@ TEST_F(Cameras, ThatBlurTakeSixteenSamples) {
 
 TEST_F(Cameras, MistakesNameTheKey) {
     EXPECT_EQ(mistake_in("projection = \"fisheye\""),
-              "scene.toml:5: camera.projection: must be perspective or orthographic, not "
-              "'fisheye'");
+              "scene.toml:5: camera.projection: there is no projection 'fisheye'; known: "
+              "perspective, orthographic");
     EXPECT_EQ(mistake_in("position = [1, 2, 3]\nazimuth = 3"),
               "scene.toml:6: camera.azimuth: is of a camera on an orbit; this one has a position. "
               "Give one or the other");
@@ -187,20 +187,19 @@ TEST_F(Cameras, MistakesNameTheKey) {
               "\"orthographic\"; this one has fov");
     EXPECT_EQ(mistake_in("azimut = 3"),
               "scene.toml:5: camera.azimut: unknown key; did you mean 'azimuth'?");
-    EXPECT_EQ(mistake_in("zoom = 0"),
-              "scene.toml:5: camera.zoom at t = 0: the zoom must be above 0, not 0");
+    EXPECT_EQ(mistake_in("zoom = 0"), "scene.toml:5: camera.zoom at t = 0: must be above 0, not 0");
     EXPECT_EQ(mistake_in("distance = \"-1\""),
-              "scene.toml:5: camera.distance at t = 0: the distance must be above 0, not -1");
+              "scene.toml:5: camera.distance at t = 0: must be above 0, not -1");
     EXPECT_EQ(mistake_in("projection = \"orthographic\"\nheight = 0"),
-              "scene.toml:6: camera.height at t = 0: the height must be above 0, not 0");
+              "scene.toml:6: camera.height at t = 0: must be above 0, not 0");
     EXPECT_EQ(mistake_in("shutter = 1.5"),
               "scene.toml:5: camera.shutter: must be from 0 to 1, not 1.5");
     EXPECT_EQ(mistake_in("shutter = -0.1"),
               "scene.toml:5: camera.shutter: must be from 0 to 1, not -0.1");
     EXPECT_EQ(mistake_in("aperture = -0.1"),
-              "scene.toml:5: camera.aperture at t = 0: the aperture must be 0 or above, not -0.1");
+              "scene.toml:5: camera.aperture at t = 0: must be 0 or above, not -0.1");
     EXPECT_EQ(mistake_in("aperture = 0.1\nfocus = 0"),
-              "scene.toml:6: camera.focus at t = 0: the focus must be above 0, not 0");
+              "scene.toml:6: camera.focus at t = 0: must be above 0, not 0");
     EXPECT_EQ(mistake_in("focus = 3"),
               "scene.toml:5: camera.focus: is of a camera with a lens: give its diameter, "
               "aperture, too");

@@ -126,7 +126,7 @@ TEST_F(Materials, WhatLightCannotGoThrough) {
     EXPECT_EQ(at_once("transmission = 1.5"),
               "material.transmission at t = 0: must be from 0 to 1, not 1.5");
     EXPECT_EQ(at_once("transmission = 1\nior = 0"),
-              "material.ior at t = 0: the index of refraction must be from 0.01 to 100, not 0");
+              "material.ior at t = 0: must be from 0.01 to 100, not 0");
     EXPECT_EQ(at_once("transmission = 1\nabsorption = [0, -1, 0]"),
               "material.absorption.y at t = 0: must be from 0 to 1000000, not -1");
     EXPECT_EQ(mistake(with("transmission = 1\npriority = 1001")),

@@ -76,13 +76,14 @@ TEST_F(SeveralMistakes, OfOneSection) {
               "scene.toml:3: surface.bounds.center: unknown key; did you mean 'centre'?\n"
               "scene.toml:3: surface.bounds.sphere at t = 0: the radius must be above 0, not -1\n"
               "scene.toml:4: surface.transform.rotat: unknown key; did you mean 'rotate'?\n"
-              "scene.toml:4: surface.transform.scale at t = 0: the scale must be above 0, not 0\n"
+              "scene.toml:4: surface.transform.scale at t = 0: must be above 0, not 0\n"
               "scene.toml:6: material.model: there is no model 'gx'; did you mean 'ggx'? known: "
               "lambert, blinn-phong, ggx\n"
               "scene.toml:7: material.color: must be [r, g, b], linear ([1, 0, 0] is red), or "
               "{ keys = [[t, [r, g, b]], ...] }\n"
-              "scene.toml:10: camera.projection: must be perspective or orthographic, not 'flat'\n"
-              "scene.toml:12: camera.zoom at t = 0: the zoom must be above 0, not 0");
+              "scene.toml:10: camera.projection: there is no projection 'flat'; known: "
+              "perspective, orthographic\n"
+              "scene.toml:12: camera.zoom at t = 0: must be above 0, not 0");
 }
 
 // Vectors of three tables of keys are no lists of lights.
@@ -108,10 +109,9 @@ TEST_F(SeveralMistakes, OfAWrongLook) {
 TEST_F(SeveralMistakes, OfValuesOutOfRange) {
     EXPECT_EQ(mistake("[surface]\nformula = \"x\"\n[camera]\nfov = \"200 - t\"\nzoom = -1\n"
                       "[fog]\ndensity = -1\n[[lights]]\ndirection = [0, 0, 0]\nradius = 90\n"),
-              "scene.toml:4: camera.fov at t = 0: the field of view must be above 0 and below 180 "
-              "degrees, not 200\n"
-              "scene.toml:5: camera.zoom at t = 0: the zoom must be above 0, not -1\n"
-              "scene.toml:7: fog.density at t = 0: the density must not be below 0, as -1 is\n"
+              "scene.toml:4: camera.fov at t = 0: must be above 0 and below 180, not 200\n"
+              "scene.toml:5: camera.zoom at t = 0: must be above 0, not -1\n"
+              "scene.toml:7: fog.density at t = 0: must be 0 or above, not -1\n"
               "scene.toml:9: lights[0].direction.x at t = 0: the direction to the light has length "
               "0\n"
               "scene.toml:10: lights[0].radius at t = 0: must be from 0 to 45, not 90");
@@ -133,7 +133,7 @@ TEST_F(SeveralMistakes, OfSeveralSurfacesWhatTheyShareOnce) {
               "scene.toml:2: surface.formula: unknown name 'q'; known: x, y, z, pi\n"
               "    x + q\n"
               "        ^\n"
-              "scene.toml:5: surface.transform.scale at t = 0: the scale must be above 0, not 0\n"
+              "scene.toml:5: surface.transform.scale at t = 0: must be above 0, not 0\n"
               "scene.toml:7: camera.fob: unknown key; did you mean 'fov'?");
 }
 

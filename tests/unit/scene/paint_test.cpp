@@ -64,7 +64,8 @@ TEST_F(PaintOfScene, Mistakes) {
         "17: material.colormap.range.high: must be a number, an expression in t (\"2 + sin(t)\"), "
         "or { keys = [[t, value], ...], ease = \"smooth\" }");
     expect("value = 'nz'\nrange = [0, 1]\nmap = 'blue-yelow'",
-           "18: material.colormap.map: there is no map 'blue-yelow'; did you mean 'blue-yellow'?");
+           "18: material.colormap.map: there is no map 'blue-yelow'; did you mean 'blue-yellow'? "
+           "known: blue-yellow, blue-orange");
     expect("value = 'nz'\nrange = [0, 1]\nmap = 'jet'",
            "18: material.colormap.map: there is no map 'jet'; known: blue-yellow, blue-orange");
     expect("value = 'nz'\nrange = [0, 1]\nvalues = 1",

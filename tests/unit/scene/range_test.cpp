@@ -47,14 +47,13 @@ TEST_F(Range, Bounds) {
 
 TEST_F(Range, Placement) {
     EXPECT_EQ(bounds_and("transform = { scale = \"2 - t\" }"),
-              ": surface.transform.scale at t = 2: the scale must be above 0, not 0");
+              ": surface.transform.scale at t = 2: must be above 0, not 0");
     EXPECT_EQ(bounds_and("transform = { scale = \"1 - t\" }"),
-              ": surface.transform.scale at t = 2: the scale must be above 0, not -1");
+              ": surface.transform.scale at t = 2: must be above 0, not -1");
 }
 
 TEST_F(Range, Camera) {
-    const std::string fov =
-        ": camera.fov at t = 2: the field of view must be above 0 and below 180 degrees, not ";
+    const std::string fov = ": camera.fov at t = 2: must be above 0 and below 180, not ";
     EXPECT_EQ(of_line(12, "fov = \"40 - 20*t\""), fov + "0");
     EXPECT_EQ(of_line(12, "fov = \"40 + 70*t\""), fov + "180");
     EXPECT_EQ(of_line(12, "fov = \"40 + 80*t\""), fov + "200");
@@ -91,10 +90,10 @@ TEST_F(Range, TheEyeStaysWithinFloats) {
 
 TEST_F(Range, LengthsOfTheCameraKeepTheirDigitsInFloats) {
     EXPECT_EQ(of_line(12, "projection = \"orthographic\"\nheight = \"1e-200 + max(0, 1 - t)\""),
-              ": camera.height at t = 2: the height must be at least 1e-18 in the formula's "
+              ": camera.height at t = 2: must be at least 1e-18 in the formula's "
               "coordinates, not 1e-200");
     EXPECT_EQ(of_line(12, "aperture = 1\nfocus = \"1e-200 + max(0, 1 - t)\""),
-              ": camera.focus at t = 2: the focus must be at least 1e-18 in the formula's "
+              ": camera.focus at t = 2: must be at least 1e-18 in the formula's "
               "coordinates, not 1e-200");
 }
 
@@ -158,8 +157,7 @@ TEST_F(Range, WrongFromTheStart) {
     EXPECT_EQ(mistake(ball_with(7, "bounds = { sphere = \"t\" }")),
               "scene.toml:7: surface.bounds.sphere at t = 0: the radius must be above 0, not 0");
     EXPECT_EQ(mistake(ball_with(12, "fov = 200")),
-              "scene.toml:12: camera.fov at t = 0: the field of view must be above 0 and below 180 "
-              "degrees, not 200");
+              "scene.toml:12: camera.fov at t = 0: must be above 0 and below 180, not 200");
 }
 
 } // namespace

@@ -125,10 +125,8 @@ TEST_F(RenamedKeys, MistakesNameTheKeyAsItIsWritten) {
            "17: material.paint.range at t = 0: the two ends must differ, and both are 2");
     expect("[material]\ninside = 3",
            "16: material.inside: must be [x, y, z] or { keys = [[t, [x, y, z]], ...] }");
-    expect("[occlusion]\nreach = -1",
-           "16: occlusion.reach at t = 0: the radius must be above 0, not -1");
-    expect("[occlusion]\nradius = -1",
-           "16: occlusion.radius at t = 0: the radius must be above 0, not -1");
+    expect("[occlusion]\nreach = -1", "16: occlusion.reach at t = 0: must be above 0, not -1");
+    expect("[occlusion]\nradius = -1", "16: occlusion.radius at t = 0: must be above 0, not -1");
     EXPECT_EQ(mistake(ball_with(7, "bounds = { sphere = 1.5 }\nplacement = { scale = \"s\" }")),
               "scene.toml:8: surface.placement.scale: unknown name 's'; known: t, radius, pi\n"
               "    s\n"

@@ -74,7 +74,7 @@ TEST_F(SectionsOfScenes, TellTheirMistakes) {
     EXPECT_THAT(mistake(ball_and("[[sections]]\nnormal = [\"0*t\", 0, 0]")),
                 testing::HasSubstr("sections[0].normal.x at t = 0: the normal has length 0"));
     EXPECT_THAT(mistake(ball_and("[[sections]]\nsphere = -1")),
-                testing::HasSubstr("sections[0].sphere at t = 0: the radius must not be below 0"));
+                testing::HasSubstr("sections[0].sphere at t = 0: must be 0 or above, not"));
 }
 
 TEST_F(SectionsOfScenes, ContoursTellTheirMistakes) {
