@@ -17,9 +17,50 @@ inline constexpr std::array zero{0.0, 0.0, 0.0}; // of vectors, and of numbers
 
 constexpr std::array<double, 3> number(double value) { return {value, 0, 0}; }
 
+inline constexpr auto title_keys = std::tuple(
+    ReadByHand{"title", R"({"type": "string"})", "a text of one line", "the file's name"});
+
+inline constexpr auto time_keys = std::tuple(
+    ReadByHand{"fps", R"({"anyOf": [{"type": "number", "minimum": 0}, {"type": "string"}]})",
+               "frames a second: 30, 23.976 or \"30000/1001\"", "30"},
+    still("frames", &animation::Timeline::frames, from_to(1, limits::frames),
+          "how many frames the scene has"),
+    ReadByHand{"seconds", R"({"type": "number", "minimum": 0})",
+               "in place of `frames`: how long the scene is"},
+    still("loop", &animation::Timeline::loops, {},
+          "true: the frame after the last would be the first again"),
+    ReadByHand{"seed", R"({"type": "integer", "minimum": 0, "maximum": 2147483647})", "of `random`",
+               "0"});
+
+inline constexpr auto surface_keys = std::tuple(
+    ReadByHand{"formula", R"({"type": "string"})",
+               "an [equation](formulas.md), or the left side of F = 0"},
+    ReadByHand{"use", R"({"type": "string"})",
+               "a surface of the catalogue (`isomotion list surfaces`)"},
+    still("jumps", &Surface::jumps_are_walls, {},
+          "true: where F jumps across 0 (floor, sign) there is a wall of the solid F < 0: see "
+          "[rendering](rendering.md)"));
+inline constexpr auto listed_surface_keys = std::tuple(ReadByHand{
+    "name", R"({"type": "string", "minLength": 1})", "of a surface among several", "its number"});
+
+// Any other key of an array is a field.
+inline constexpr auto array_keys = std::tuple(
+    ReadByHand{"count", R"({"type": "integer", "minimum": 0})",
+               "number of elements; beside a file, the most there may be at a time",
+               "the catalogue's, the file's"},
+    ReadByHand{"file", R"({"type": "string"})",
+               "elements from a file, or with #### from one for each frame: [particles from "
+               "files](#particles-from-files)"},
+    ReadByHand{"first_file", R"({"type": "integer", "minimum": 0})",
+               "the number of the file that frame 1 shows"},
+    ReadByHand{"columns", R"({"type": "object", "additionalProperties": {"type": "string"}})",
+               "`field = \"column\"` of the file"},
+    ReadByHand{"interpolation", R"({"enum": ["linear", "hold", "hermite"]})",
+               "how elements go from one time to the next"},
+    ReadByHand{"extrapolate", R"({"enum": ["hold"]})", "the first and the last elements stay"});
+
 inline constexpr auto ball_keys = std::tuple(
-    animated("sphere", &Bounds::radius, {.standard = number(1)},
-             "bounds of a ball: its radius, formula coordinates"),
+    animated("sphere", &Bounds::radius, {}, "radius of a ball, formula coordinates"),
     animated("centre", &Bounds::centre, {.standard = origin}, "its centre, formula coordinates"));
 
 inline constexpr auto box_keys = std::tuple(ReadByHand{
@@ -30,7 +71,7 @@ inline constexpr auto box_keys = std::tuple(ReadByHand{
 
 inline constexpr auto transform_keys =
     std::tuple(animated("translate", &Placement::translate, &PlacementAt::translate,
-                        {.standard = origin}, "from formula to world coordinates: world units"),
+                        {.standard = origin}, "world units"),
                animated("rotate", &Placement::rotate, {.standard = zero},
                         "degrees about the fixed axes x, then y, then z"),
                animated("scale", &Placement::scale, &PlacementAt::scale,
@@ -41,8 +82,7 @@ inline constexpr auto method_words = words_of(method_traits, &MethodTraits::meth
 // Lengths of the paper's methods are in formula coordinates, thresholds in units of F.
 inline constexpr auto isolation_keys = std::tuple(
     choice("method", &Isolation::method, method_words,
-           "how roots are found: see [rendering](rendering.md), `isomotion list methods`",
-           "`hermite`"),
+           "see [rendering](rendering.md), `isomotion list methods`", "`hermite`"),
     still("safety", &Isolation::safety, from_to(1, 1e6),
           "`hermite` rules a root out only where its cubic stays farther from 0 than this many "
           "times the cubic's estimated error"),
@@ -121,7 +161,7 @@ inline constexpr auto light_keys = std::tuple(
              "the square",
              "the same everywhere"),
     animated("color", &Light::color, &LightAt::color, {.unit = Unit::color, .standard = white},
-             "linear"),
+             "linear", "white"),
     still("shadow", &Light::shadow, {},
           "true: the surface hides this light from itself and from the ground"),
     animated("radius", &Light::radius, {.allowed = at_least(0)},
@@ -164,10 +204,10 @@ inline constexpr auto cap_keys =
                         "`back_color`, else as the surface; with a colour map, by the map"));
 inline constexpr auto material_keys = std::tuple(
     choice("model", &Material::model, model_words,
-           "how light comes back: matt, with a highlight, or from plastic to metal", "`lambert`"),
+           "matt, with a highlight, or from plastic to metal", "`lambert`"),
     choice("reflection", &Material::reflection, reflection_words,
-           "`\"sky\"`: mirrors what is around, by the model's Fresnel weight (a matt surface has a "
-           "clear coat); `\"self\"`: and itself, once",
+           "mirrors what is around, by the model's Fresnel weight (a matt surface has a clear "
+           "coat); or also itself, once",
            "none"));
 
 // The numbers of each model, in the order in which its shader has them.
@@ -179,7 +219,7 @@ inline constexpr auto blinn_phong_keys = std::tuple(
              "of `blinn-phong`: what is reflected straight on"));
 inline constexpr auto ggx_keys = std::tuple(
     animated("roughness", &Material::roughness, {.allowed = from_to(0, 1), .standard = number(0.4)},
-             "of `ggx`; below 0.045 as 0.045"),
+             "of `ggx`: from a mirror (below 0.045 as 0.045) to matt"),
     animated("metallic", &Material::metallic, {.allowed = from_to(0, 1), .standard = number(0)},
              "of `ggx`: 0 (matt colour under a clear coat) to 1 (the colour is that of the "
              "highlights)"),
@@ -198,7 +238,8 @@ inline constexpr auto glass_keys = std::tuple(
     animated("transmission", &Glass::transmission, &GlassAt::transmission,
              {.allowed = from_to(0, 1), .standard = number(1)},
              "glass and water: of the light that is not reflected, the part that goes through, "
-             "[see below](#glass)"),
+             "[see below](#glass)",
+             "none"),
     animated("ior", &Glass::ior, &GlassAt::ior,
              {.allowed = from_to(0.01, 100), .standard = number(1.5)},
              "beside `transmission`: the index of refraction; water has 1.33"),
@@ -237,13 +278,13 @@ inline constexpr auto contour_keys = std::tuple(
     animated("width", &Contours::width, &ContoursAt::width,
              {.allowed = at_least(0), .standard = number(1)}, "of a line, in pixels"),
     animated("color", &Contours::color, &ContoursAt::color,
-             {.unit = Unit::color, .standard = black}, "linear"));
+             {.unit = Unit::color, .standard = black}, "linear", "black"));
 
-inline constexpr auto ground_keys =
-    std::tuple(animated("height", &Ground::height, &GroundAt::height,
-                        {.needed = "the ground's z in world coordinates"}, "its z"),
-               animated("color", &Ground::color, &GroundAt::color,
-                        {.unit = Unit::color, .standard = std::array{0.5, 0.5, 0.5}}, "linear"));
+inline constexpr auto ground_keys = std::tuple(
+    animated("height", &Ground::height, &GroundAt::height,
+             {.needed = "the ground's z in world coordinates"}, "its z"),
+    animated("color", &Ground::color, &GroundAt::color,
+             {.unit = Unit::color, .standard = std::array{0.5, 0.5, 0.5}}, "linear", "grey"));
 
 inline constexpr auto fog_keys =
     std::tuple(animated("density", &Fog::density, &FogAt::density,
@@ -284,5 +325,23 @@ inline constexpr auto environment_keys = std::tuple(
              "multiplies the map"),
     still("background", &Environment::background, {}, "true: the map is seen behind the surface",
           "true; with an `output.background`, false"));
+
+inline constexpr auto output_keys = std::tuple(
+    ReadByHand{
+        "size",
+        R"({"type": "array", "minItems": 2, "maxItems": 2, "items": {"type": "integer", "minimum": 1, "maximum": 16384}})",
+        "`[width, height]`", "512, 512"},
+    ReadByHand{
+        "background",
+        R"({"anyOf": [{"$ref": "#/definitions/stillColor"}, {"const": "transparent"}, {"type": "object", "properties": {"top": {"$ref": "#/definitions/stillColor"}, "bottom": {"$ref": "#/definitions/stillColor"}}, "additionalProperties": false, "required": ["top", "bottom"]}]})",
+        "`[r, g, b]`, linear; `{ top = [r, g, b], bottom = [r, g, b] }`, from the world's zenith "
+        "to "
+        "its nadir; or `\"transparent\"`",
+        "light grey"},
+    still("samples", &Output::samples, from_to(1, limits::samples),
+          "pictures whose mean is a frame, best a power of two: see [rendering](rendering.md)",
+          "16 with a `shutter` above 0, an `aperture` or a light's `radius`, else 1"),
+    still("poster", &Output::poster, from_to(1, limits::frames),
+          "the frame that stands for the whole: `render --frames poster`"));
 
 } // namespace isomotion::scene::keys

@@ -5,11 +5,10 @@
 
 namespace isomotion::scene {
 
-void read_isolation(Section& document, Isolation& isolation, GivenThresholds& given,
-                    TrackTable& tracks) {
+void read_isolation(Section& document, Isolation& isolation, GivenThresholds& given) {
     auto section = document.section("isolation");
     if (!section) return;
-    read_keys(keys::isolation_keys, *section, isolation, tracks);
+    read_keys(keys::isolation_keys, *section, isolation);
     given.step |= section->has("step");
     given.near |= section->has("near");
     given.far |= section->has("far");

@@ -2,7 +2,6 @@
 #pragma once
 
 #include "scene/reading/document.h"
-#include "scene/reading/track_table.h"
 #include "scene/scene.h"
 
 namespace isomotion::scene {
@@ -13,7 +12,6 @@ struct GivenThresholds {
 };
 
 // Call it for the catalogue's settings first, then for the scene's own, which go before these.
-void read_isolation(Section& document, Isolation& isolation, GivenThresholds& given,
-                    TrackTable& tracks);
+void read_isolation(Section& document, Isolation& isolation, GivenThresholds& given);
 
 } // namespace isomotion::scene

@@ -181,9 +181,9 @@ Scene read_document_scene(toml::table& root, const fs::path& file, const base::C
     GivenThresholds given;
     if (parts->catalogue) {
         Section catalogue(*parts->catalogue, "");
-        read_isolation(catalogue, surface.isolation, given, tracks);
+        read_isolation(catalogue, surface.isolation, given);
     }
-    read_isolation(document, surface.isolation, given, tracks);
+    read_isolation(document, surface.isolation, given);
     scene.sections = read_sections(document, tracks);
     if (surface.isolation.certify && !scene.sections.empty()) {
         fail(*document.find("sections"), "isolation.certify",

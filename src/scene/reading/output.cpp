@@ -6,7 +6,9 @@
 
 #include <fmt/format.h>
 
+#include "scene/key_tables.h"
 #include "scene/limits.h"
+#include "scene/reading/read_keys.h"
 
 namespace isomotion::scene {
 namespace {
@@ -82,8 +84,7 @@ void read_output(Section& document, Scene& scene) {
                                  "[r, g, b] } or \"transparent\"");
         }
     }
-    output.samples = section->integer("samples", 1, limits::samples).value_or(output.samples);
-    output.poster = section->integer("poster", 1, limits::frames).value_or(1);
+    read_keys(keys::output_keys, *section, output);
     if (output.poster > scene.timeline.frames) {
         const toml::node& poster = *section->find("poster");
         // Fewer frames are wanted than the file has: the last of them stands for all.

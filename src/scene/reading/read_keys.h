@@ -37,7 +37,7 @@ void read_key(const keys::Animated<Of, Track, At, Value>& row, Section& section,
 }
 
 template<class Of, class Value>
-void read_key(const keys::Still<Of, Value>& row, Section& section, Of& into, TrackTable&) {
+void read_key(const keys::Still<Of, Value>& row, Section& section, Of& into) {
     const auto read = [&] {
         if constexpr (std::is_same_v<Value, int>) {
             return section.integer(row.name, int(row.allowed.least), int(row.allowed.most));
@@ -51,7 +51,7 @@ void read_key(const keys::Still<Of, Value>& row, Section& section, Of& into, Tra
 }
 
 template<class Of, class E>
-void read_key(const keys::Choice<Of, E>& row, Section& section, Of& into, TrackTable&) {
+void read_key(const keys::Choice<Of, E>& row, Section& section, Of& into) {
     const auto text = section.text(row.name);
     if (!text) return;
     std::vector<std::string_view> names;
@@ -59,13 +59,19 @@ void read_key(const keys::Choice<Of, E>& row, Section& section, Of& into, TrackT
     into.*row.member = row.words[read_word(section, row.name, *text, names)].value;
 }
 
-template<class Of> void read_key(const keys::ReadByHand&, Section&, Of&, TrackTable&) {}
+template<class Of> void read_key(const keys::ReadByHand&, Section&, Of&) {}
 
 // Reads the keys of the table that stand in the section, and gives the others their defaults.
 // Throws PlacedError.
-template<class Table, class Of>
-void read_keys(const Table& table, Section& section, Of& into, TrackTable& tracks) {
-    keys::for_each_row(table, [&](const auto& row) { read_key(row, section, into, tracks); });
+template<class Table, class Of, class... Tracks>
+void read_keys(const Table& table, Section& section, Of& into, Tracks&... tracks) {
+    keys::for_each_row(table, [&]<class Row>(const Row& row) {
+        if constexpr (keys::is_animated<Row>) {
+            read_key(row, section, into, tracks...);
+        } else {
+            read_key(row, section, into);
+        }
+    });
 }
 
 // Refuses keys that stand in the section, but are of another kind of thing.

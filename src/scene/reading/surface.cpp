@@ -8,9 +8,12 @@
 #include "base/nearest_name.h"
 #include "formula/graph/parser.h"
 #include "scene/data_folder.h"
+#include "scene/key_sections.h"
+#include "scene/key_tables.h"
 #include "scene/limits.h"
 #include "scene/reading/arrays.h"
 #include "scene/reading/names.h"
+#include "scene/reading/read_keys.h"
 
 namespace isomotion::scene {
 namespace {
@@ -122,18 +125,16 @@ toml::table read_catalogue(const toml::node& use, const std::string& name) {
     return read_document(file);
 }
 
-// The key of a scene that --set would need its section for; empty for other names.
+// The key of a scene that --set would need its section for; empty for other names, and for those of
+// several sections.
 std::string key_called(const std::string& name) {
-    for (const char* key :
-         {"time.frames", "time.fps", "time.seconds", "surface.bounds", "isolation.method",
-          "camera.position", "camera.azimuth", "camera.elevation", "camera.distance",
-          "camera.target", "camera.fov", "camera.zoom", "material.color", "material.model",
-          "material.roughness", "material.metallic", "output.size", "output.background",
-          "output.samples"}) {
-        const std::string_view dotted = key;
-        if (dotted.substr(dotted.find('.') + 1) == name) return key;
+    std::vector<std::string> called;
+    for (const SectionDescription& section : key_sections()) {
+        for (const KeyDescription& key : section.keys) {
+            if (key.name == name) called.push_back(section.name + "." + name);
+        }
     }
-    return "";
+    return called.size() == 1 ? called.front() : "";
 }
 
 // Everything that a surface is drawn by.
@@ -219,7 +220,7 @@ std::unique_ptr<SurfaceParts> read_surface(Section& document, const animation::T
         fail(section->table(), "surface",
              "needs formula = \"...\", or use = \"name\" of the catalogue");
     }
-    parts->surface.jumps_are_walls = section->boolean("jumps").value_or(false);
+    read_keys(keys::surface_keys, *section, parts->surface);
     for (const char* later : {"bounds", "transform"}) section->find(later);
     section->refuse_rest();
     read_parameters(document, *parts, tracks);

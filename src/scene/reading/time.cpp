@@ -5,28 +5,30 @@
 
 #include <fmt/format.h>
 
+#include "scene/key_tables.h"
 #include "scene/limits.h"
+#include "scene/reading/read_keys.h"
 
 namespace isomotion::scene {
 namespace {
 
-// `frames`, or as many as there are in `seconds`.
-int read_frames(Section& section, const animation::FrameRate& fps) {
-    const auto frames = section.integer("frames", 1, limits::frames);
+// `seconds` say in place of `frames` how long the scene is.
+void read_seconds(Section& section, animation::Timeline& timeline) {
     const auto seconds = section.number("seconds", 1e-9, limits::frames);
-    if (!seconds) return frames.value_or(1);
+    if (!seconds) return;
+    const animation::FrameRate& fps = timeline.fps;
     const double count = std::round(*seconds * double(fps.numerator) / double(fps.denominator));
-    if (frames) {
+    if (section.has("frames")) {
         fail(*section.find("seconds"), "time.seconds",
              fmt::format("says again how long the scene is: {} frames; at fps = {}, frames = {} "
                          "takes these {:g} seconds. Keep one of frames and seconds",
-                         *frames, animation::to_string(fps), count, *seconds));
+                         timeline.frames, animation::to_string(fps), count, *seconds));
     }
     if (count < 1 || count > limits::frames) {
         fail(*section.find("seconds"), "time.seconds",
              fmt::format("is {:g} frames; a scene has from 1 to {}", count, limits::frames));
     }
-    return int(count);
+    timeline.frames = int(count);
 }
 
 } // namespace
@@ -47,8 +49,8 @@ TimeParts read_time(Section& document) {
                  "must be above 0: 30, 23.976 (up to nine decimals) or \"30000/1001\"");
         read.timeline.fps = *rate;
     }
-    read.timeline.frames = read_frames(*section, read.timeline.fps);
-    read.timeline.loops = section->boolean("loop").value_or(false);
+    read_keys(keys::time_keys, *section, read.timeline);
+    read_seconds(*section, read.timeline);
     read.seed = std::uint64_t(section->integer("seed", 0, 2'147'483'647).value_or(0));
     section->refuse_rest();
     return read;

@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "scene/data_folder.h"
+#include "scene/key_documents.h"
 #include "scene/reading/load.h"
 #include "scene/renamed_keys.h"
 
@@ -37,7 +38,7 @@ const Case cases[] = {
     {"surface", "/properties/surface", "[surface]\nformula = 'x'\n{} = 1\n"},
     {"surface.bounds", "/properties/surface/properties/bounds",
      "[surface]\nformula = 'x'\n[surface.bounds]\nsphere = 1\n{} = 1\n"},
-    {"surface.transform", "/definitions/transform",
+    {"surface.transform", "/properties/surface/properties/transform",
      "[surface]\nformula = 'x'\nbounds = {{ sphere = 1 }}\n[surface.transform]\n{} = 1\n"},
     {"surfaces", "/properties/surfaces/items", "[[surfaces]]\nformula = 'x'\n{} = 1\n"},
     {"isolation", "/properties/isolation", "[surface]\nformula = 'x'\n[isolation]\n{} = 1\n"},
@@ -49,7 +50,7 @@ const Case cases[] = {
     {"material.contours", "/properties/material/properties/contours",
      "[surface]\nformula = 'x'\n[material.contours]\nvalue = 'x'\nevery = 1\n{} = 1\n"},
     {"material", "/properties/material", "[surface]\nformula = 'x'\n[material]\n{} = 1\n"},
-    {"material.colormap", "/definitions/colormap",
+    {"material.colormap", "/properties/material/properties/colormap",
      "[surface]\nformula = 'x'\n[material.colormap]\nvalue = 'x'\nrange = [0, 1]\n{} = 1\n"},
     {"ground", "/properties/ground", "[surface]\nformula = 'x'\n[ground]\nheight = 0\n{} = 1\n"},
     {"fog", "/properties/fog", "[surface]\nformula = 'x'\n[fog]\ndensity = 1\n{} = 1\n"},
@@ -97,6 +98,54 @@ Names known_to_schema(const Json& all, const Case& section) {
         names.insert(key ? std::string(key->now) : name);
     }
     return names;
+}
+
+std::string text_of(const std::filesystem::path& file) {
+    std::ostringstream text;
+    text << std::ifstream(file).rdbuf();
+    return text.str();
+}
+
+// "cmake --build --preset release --target key_documents", then run it, writes both anew.
+TEST(KeyDocuments, AreAsTheTablesSay) {
+    const auto sections = key_sections();
+    EXPECT_EQ(schema_text(sections), text_of(data_folder() / "animations" / "scene.schema.json"));
+    const std::string page = text_of(ISOMOTION_SOURCE_DIR "/docs/scene-file.md");
+    EXPECT_EQ(with_key_table(page, sections), page);
+    EXPECT_THROW(with_key_table("no table", sections), std::invalid_argument);
+}
+
+TEST(KeyDocuments, PlainTextHasNoMarks) {
+    EXPECT_EQ(plain_text("a [link](to.md#x) and `code`, \\|F\\| as *step limit*"),
+              "a link and code, |F| as step limit");
+    EXPECT_EQ(plain_text("2 * 3"), "2 * 3");
+}
+
+// A scene that says every key with a range reaches the ends of the range, and not beyond them.
+TEST(KeyRanges, AreThoseThatTheReaderKeeps) {
+    int checked = 0;
+    for (const SectionDescription& section : key_sections()) {
+        for (const KeyDescription& key : section.keys) {
+            if (!key.least || section.name.find('.') != std::string::npos) continue;
+            const bool is_glass = key.name == "depth" || key.name == "priority";
+            const auto scene = [&](double value) {
+                return fmt::format(
+                    "[surface]\nformula = 'x'\nbounds = {{ sphere = 1 }}\n[{}]\n{}{} = "
+                    "{}\n{}",
+                    section.name, is_glass ? "transmission = 1\n" : "", key.name,
+                    key.type == KeyType::integer ? fmt::format("{:.0f}", value)
+                                                 : fmt::format("{:e}", value),
+                    key.name == "poster" ? "[time]\nframes = 10000000\n" : "");
+            };
+            for (const double end : {*key.least, *key.most})
+                EXPECT_NO_THROW(load_text(scene(end), "scene.toml")) << scene(end);
+            const double step = key.type == KeyType::integer ? 1 : 0.5 * *key.most;
+            EXPECT_THROW(load_text(scene(*key.most + step), "scene.toml"), SceneError) << key.name;
+            EXPECT_THROW(load_text(scene(*key.least - 1), "scene.toml"), SceneError) << key.name;
+            ++checked;
+        }
+    }
+    EXPECT_GE(checked, 12);
 }
 
 TEST(Schema, HasTheKeysThatTheReaderKnowsAndNoOthers) {
