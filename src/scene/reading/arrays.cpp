@@ -42,7 +42,8 @@ bool is_of_the_file(const std::string& name) {
            name == "extrapolate" || name == "outside" || name == "first_file";
 }
 
-void gather(const toml::table& table, const std::string& key, ArrayNodes& nodes) {
+void gather(const toml::table& table, const std::string& key, ArrayNodes& nodes,
+            MistakeList& mistakes) {
     nodes.place = &table;
     if (table.contains("file")) {
         nodes.data = &table;
@@ -58,7 +59,7 @@ void gather(const toml::table& table, const std::string& key, ArrayNodes& nodes)
             continue;
         }
         if (nodes.data == &table && is_of_the_file(name)) continue;
-        check_name(name, node, key + "." + name);
+        if (!mistakes.attempt([&] { check_name(name, node, key + "." + name); })) continue;
         if (!nodes.fields.count(name)) nodes.order.push_back(name);
         nodes.fields[name] = &node;
     }
@@ -73,13 +74,15 @@ int read_count(const toml::node& node, const std::string& key) {
 }
 
 TableOptions read_data(const ArrayNodes& nodes, const std::string& key,
-                       const base::Confines& within) {
-    Section section(*nodes.data, key);
+                       const base::Confines& within, MistakeList& mistakes) {
+    Section section(*nodes.data, key, mistakes);
     TableOptions options;
     options.most = nodes.count ? read_count(*nodes.count, key + ".count") : limits::elements;
     options.counts_files = !nodes.count;
     const toml::node& file = *section.find("file");
-    options.file = beside(file, *section.text("file"));
+    const auto name = section.text("file");
+    if (!name) return options;
+    options.file = beside(file, *name);
     options.within = confines_of(file, within);
     const int first_file = section.integer("first_file", 0, limits::frames).value_or(1);
     for (const NumberedFile& one :
@@ -96,8 +99,8 @@ TableOptions read_data(const ArrayNodes& nodes, const std::string& key,
     if (auto columns = section.section("columns")) {
         for (const auto& [name, node] : columns->table()) {
             const std::string field(name.str());
-            check_name(field, node, columns->dotted(field));
-            options.columns[field] = *columns->text(field);
+            columns->attempt(field, [&] { check_name(field, node, columns->dotted(field)); });
+            options.columns[field] = columns->text(field).value_or("");
         }
     }
     if (const auto text = section.text("interpolation")) {
@@ -106,8 +109,8 @@ TableOptions read_data(const ArrayNodes& nodes, const std::string& key,
         if (*text == "hold") options.interpolation = hold;
         if (*text == "hermite") options.interpolation = hermite;
         if (!options.interpolation) {
-            fail(*section.find("interpolation"), key + ".interpolation",
-                 fmt::format("must be linear, hold or hermite, not '{}'", *text));
+            section.tell("interpolation",
+                         fmt::format("must be linear, hold or hermite, not '{}'", *text));
         }
     }
     return options;
@@ -156,14 +159,16 @@ private:
 
 // Frames beyond the data would show its ends, standing still.
 void check_times(const toml::table& table, const std::string& key, const TableOptions& options,
-                 const ElementTable& read, const animation::Timeline& timeline) {
-    Section section(table, key);
+                 const ElementTable& read, const animation::Timeline& timeline,
+                 MistakeList& mistakes) {
+    Section section(table, key, mistakes);
     const auto extrapolate = section.text("extrapolate");
     if (extrapolate && *extrapolate != "hold") {
-        fail(*section.find("extrapolate"), section.dotted("extrapolate"),
-             fmt::format("must be hold: the first and the last elements stay, not '{}'",
-                         *extrapolate));
+        section.tell("extrapolate",
+                     fmt::format("must be hold: the first and the last elements stay, not '{}'",
+                                 *extrapolate));
     }
+    if (!mistakes.empty()) return; // the scene's frames may be other ones
     const animation::ElementSamples& samples = *read.samples;
     if (extrapolate || samples.first_time() == samples.last_time()) return;
     const char* first_file =
@@ -184,9 +189,9 @@ void check_times(const toml::table& table, const std::string& key, const TableOp
 
 // The columns of a file become fields; a field that the scene writes itself goes before.
 void add_data(const ArrayNodes& nodes, const std::string& key, const TableOptions& options,
-              Tables& tables, TrackTable& tracks, animation::Array& array) {
+              Tables& tables, TrackTable& tracks, animation::Array& array, MistakeList& mistakes) {
     const ElementTable& table = tables.read(options);
-    check_times(*nodes.data, key, options, table, tables.timeline());
+    check_times(*nodes.data, key, options, table, tables.timeline(), mistakes);
     array.samples = table.samples;
     array.count = nodes.count ? options.most : table.samples->most();
     for (std::size_t k = 0; k < table.fields.size(); ++k) {
@@ -197,14 +202,39 @@ void add_data(const ArrayNodes& nodes, const std::string& key, const TableOption
     }
 }
 
+// A field; one that is wrong is told, and has a number that stands in for it.
+void add_field(const std::string& name, const ArrayNodes& nodes, TrackTable& tracks,
+               animation::Array& array, MistakeList& mistakes) {
+    const toml::node& node = *nodes.fields.at(name);
+    const std::string key = fmt::format("arrays.{}.{}", array.name, name);
+    animation::FieldSource source = stand_in_number;
+    mistakes.attempt([&] {
+        animation::FieldSource read = read_field(node, key);
+        const auto* list = std::get_if<std::vector<double>>(&read);
+        if (list && nodes.data) {
+            fail(node, key,
+                 "a list beside a file: put it into the file, as a column, or write an expression");
+        }
+        if (list && list->size() != std::size_t(array.count)) {
+            fail(node, key,
+                 fmt::format("has {} values for {} elements; give one for each", list->size(),
+                             array.count));
+        }
+        source = std::move(read);
+    });
+    array.fields.push_back({name, std::move(source)});
+    tracks.place(array.name + "." + name, key, &node);
+}
+
 // `data`: how it reads its file, if it has one.
 animation::Array make_array(const std::string& name, const ArrayNodes& nodes,
-                            const TableOptions* data, Tables& tables, TrackTable& tracks) {
+                            const TableOptions* data, Tables& tables, TrackTable& tracks,
+                            MistakeList& mistakes) {
     animation::Array array;
     array.name = name;
     const std::string key = "arrays." + name;
     if (data) {
-        add_data(nodes, key, *data, tables, tracks, array);
+        add_data(nodes, key, *data, tables, tracks, array, mistakes);
     } else {
         if (!nodes.count) {
             fail(*nodes.place, key,
@@ -213,22 +243,7 @@ animation::Array make_array(const std::string& name, const ArrayNodes& nodes,
         array.count = read_count(*nodes.count, key + ".count");
     }
     if (nodes.count) tracks.place(name + ".count", key + ".count", nodes.count);
-    for (const std::string& field : nodes.order) {
-        const toml::node& node = *nodes.fields.at(field);
-        const std::string field_key = key + "." + field;
-        array.fields.push_back({field, read_field(node, field_key)});
-        tracks.place(name + "." + field, field_key, &node);
-        const auto* list = std::get_if<std::vector<double>>(&array.fields.back().source);
-        if (list && nodes.data) {
-            fail(node, field_key,
-                 "a list beside a file: put it into the file, as a column, or write an expression");
-        }
-        if (list && list->size() != std::size_t(array.count)) {
-            fail(node, field_key,
-                 fmt::format("has {} values for {} elements; give one for each", list->size(),
-                             array.count));
-        }
-    }
+    for (const std::string& field : nodes.order) add_field(field, nodes, tracks, array, mistakes);
     if (array.fields.size() > std::size_t(limits::fields)) {
         fail(*nodes.place, key,
              fmt::format("has {} fields; at most {} are possible", array.fields.size(),
@@ -237,13 +252,15 @@ animation::Array make_array(const std::string& name, const ArrayNodes& nodes,
     return array;
 }
 
-} // namespace
-
-std::vector<animation::Array> read_arrays(Section* catalogue, Section& document,
-                                          const animation::Timeline& timeline, TrackTable& tracks,
-                                          const base::Confines& within) {
+// What the catalogue's tables and the scene's say of each array, in the order of first mention.
+struct GatheredArrays {
     std::vector<std::string> names;
     std::map<std::string, ArrayNodes> nodes;
+};
+
+// Throws PlacedError where an array is wrong as a whole.
+GatheredArrays gathered(Section* catalogue, Section& document) {
+    GatheredArrays all;
     for (Section* from : {catalogue, &document}) {
         auto section = from ? from->section("arrays") : std::nullopt;
         if (!section) continue;
@@ -251,28 +268,47 @@ std::vector<animation::Array> read_arrays(Section* catalogue, Section& document,
             const std::string name(name_key.str()), key = section->dotted(name);
             check_name(name, node, key);
             if (!node.is_table()) fail(node, key, fmt::format("must be a table: [{}]", key));
-            if (!nodes.count(name)) names.push_back(name);
-            gather(*node.as_table(), key, nodes[name]);
+            if (!all.nodes.count(name)) all.names.push_back(name);
+            gather(*node.as_table(), key, all.nodes[name], document.mistakes());
         }
     }
-    if (names.size() > std::size_t(formula::max_arrays)) {
-        fail(*nodes[names.back()].place, "arrays",
+    if (all.names.size() > std::size_t(formula::max_arrays)) {
+        fail(*all.nodes[all.names.back()].place, "arrays",
              fmt::format("a scene has at most {} arrays", formula::max_arrays));
     }
+    return all;
+}
+
+} // namespace
+
+bool read_arrays(Section* catalogue, Section& document, const animation::Timeline& timeline,
+                 TrackTable& tracks, const base::Confines& within,
+                 std::vector<animation::Array>& arrays) {
+    MistakeList& mistakes = document.mistakes();
+    GatheredArrays all;
+    if (!mistakes.attempt([&] { all = gathered(catalogue, document); })) return false;
+    if (document.is_wrong("arrays")) return false;
     Tables tables(timeline);
     std::map<std::string, TableOptions> data;
-    for (const std::string& name : names) {
-        if (!nodes[name].data) continue;
-        tables.add(data[name] = read_data(nodes[name], "arrays." + name, within));
+    const std::size_t told = mistakes.size();
+    for (const std::string& name : all.names) {
+        const ArrayNodes& nodes = all.nodes[name];
+        if (!nodes.data) continue;
+        mistakes.attempt([&] {
+            data[name] = read_data(nodes, "arrays." + name, within, mistakes);
+            tables.add(data[name]);
+        });
     }
-    std::vector<animation::Array> arrays;
-    arrays.reserve(names.size());
-    for (const std::string& name : names) {
+    bool are_known = mistakes.size() == told && !mistakes.is_full();
+    for (const std::string& name : all.names) {
         const auto file = data.find(name);
-        arrays.push_back(make_array(name, nodes[name], file == data.end() ? nullptr : &file->second,
-                                    tables, tracks));
+        const TableOptions* options = file == data.end() ? nullptr : &file->second;
+        if (!are_known && all.nodes[name].data) continue;
+        are_known &= mistakes.attempt([&] {
+            arrays.push_back(make_array(name, all.nodes[name], options, tables, tracks, mistakes));
+        });
     }
-    return arrays;
+    return are_known;
 }
 
 } // namespace isomotion::scene

@@ -9,10 +9,12 @@
 
 namespace isomotion::scene {
 
-// The catalogue's arrays, if any, overridden field by field by the scene's. A file that the scene
-// names replaces the catalogue's lists. Remembers the place of every field.
-std::vector<animation::Array> read_arrays(Section* catalogue, Section& document,
-                                          const animation::Timeline& timeline, TrackTable& tracks,
-                                          const base::Confines& within);
+// Reads the catalogue's arrays, if any, overridden field by field by the scene's. A file that the
+// scene names replaces the catalogue's lists. Remembers the place of every field. Returns false
+// where an array is wrong as a whole, so that not all names of formulas are known; what is wrong is
+// told.
+bool read_arrays(Section* catalogue, Section& document, const animation::Timeline& timeline,
+                 TrackTable& tracks, const base::Confines& within,
+                 std::vector<animation::Array>& arrays);
 
 } // namespace isomotion::scene

@@ -35,6 +35,7 @@ bool is_of_place(const std::string& text, const toml::node& node, const std::str
     of_time.allows_random = true;
     const auto as_value = mistake_in(text, of_time);
     if (!as_value) return false;
+    if (!parts.are_arrays_known) return true; // which it may name
     formula::Vocabulary of_place = parts.vocabulary;
     of_place.inputs = formula::paint_names;
     const auto as_paint = mistake_in(text, of_place);
@@ -95,7 +96,7 @@ ColorParts read_color(const toml::node& node, const std::string& key, const Surf
         color.of_place[k] = expression->text;
         sources[k] = 0.0;
     }
-    color.tracks = tracks.add(key, sources, &node);
+    color.tracks = tracks.add(key, sources, stand_in_vector, &node);
     color.node = &node;
     color.key = key;
     return color;

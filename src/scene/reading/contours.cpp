@@ -12,11 +12,11 @@ ContourParts read_contours(Section section, TrackTable& tracks) {
     ContourParts parts;
     parts.value_key = section.dotted("value");
     parts.value_node = section.find("value");
-    if (!parts.value_node) {
-        fail(section.table(), parts.value_key,
-             "is missing; give an expression of x, y, z, t and the surface's parameters");
+    if (parts.value_node) {
+        parts.value = section.text("value");
+    } else {
+        section.tell_missing("value", "an expression of x, y, z, t and the surface's parameters");
     }
-    parts.value = *section.text("value");
     read_keys(keys::contour_keys, section, parts.contours, tracks);
     section.refuse_rest();
     return parts;
@@ -26,7 +26,7 @@ Contours make_contours(const ContourParts& parts, const SurfaceParts& surface) {
     Contours contours = parts.contours;
     try {
         contours.value = std::make_shared<formula::Paint>(
-            formula::make_contours(parts.value, surface.vocabulary, *surface.surface.field));
+            formula::make_contours(*parts.value, surface.vocabulary, *surface.surface.field));
     } catch (const formula::ParseError& error) {
         fail(*parts.value_node, parts.value_key, error.what());
     } catch (const std::length_error& error) {

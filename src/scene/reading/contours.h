@@ -10,8 +10,8 @@ namespace isomotion::scene {
 
 // The section as read before the field exists.
 struct ContourParts {
-    Contours contours; // without its expression
-    std::string value;
+    Contours contours;                // without its expression
+    std::optional<std::string> value; // none if it is wrong
     const toml::node* value_node = nullptr;
     std::string value_key; // for messages
 };

@@ -131,17 +131,11 @@ std::array<animation::TrackSource, 3> read_vector(const toml::node& node, const 
                   : "must be [x, y, z] or { keys = [[t, [x, y, z]], ...] }");
 }
 
-// The former name of a key, where the table has it under that.
+// The former name of a key, where the table has it under that alone.
 std::string Section::written(const std::string& name) const {
     const RenamedKey* key = renamed_key(key_, name);
-    if (!key || name != key->now) return name;
-    const toml::node* former = table_->get(key->before);
-    if (!former) return name;
-    if (table_->contains(name)) {
-        fail(*former, fmt::format("{}.{}", key_, key->before),
-             fmt::format("is the former name of {}.{}, which is given too; keep one", key_, name));
-    }
-    return std::string(key->before);
+    const bool is_former = key && name == key->now && !table_->contains(name);
+    return is_former && table_->contains(key->before) ? std::string(key->before) : name;
 }
 
 std::string Section::dotted(const std::string& given) const {
@@ -157,15 +151,44 @@ std::string Section::dotted(const std::string& given) const {
 
 const toml::node* Section::find(const std::string& name) {
     known_.insert(name);
+    const RenamedKey* key = renamed_key(key_, name);
+    const toml::node* former = key && name == key->now ? table_->get(key->before) : nullptr;
+    if (former && table_->contains(name) && !is_wrong(name)) {
+        attempt(name, [&] {
+            fail(*former, fmt::format("{}.{}", key_, key->before),
+                 fmt::format("is the former name of {}.{}, which is given too; keep one", key_,
+                             name));
+        });
+    }
     return table_->get(written(name));
+}
+
+void Section::tell(const std::string& message) {
+    mistakes_->attempt([&] { fail(*table_, key_, message); });
+}
+
+void Section::tell(const std::string& name, const std::string& message) {
+    attempt(name, [&] { fail(*table_->get(written(name)), dotted(name), message); });
+}
+
+void Section::tell_missing(const std::string& name, const std::string& what) {
+    attempt(name, [&] { fail(*table_, dotted(name), fmt::format("is missing; give {}", what)); });
+}
+
+template<class Read>
+auto Section::value(const std::string& name, Read&& read)
+    -> std::optional<decltype(read(std::declval<const toml::node&>()))> {
+    std::optional<decltype(read(std::declval<const toml::node&>()))> value;
+    if (const toml::node* node = find(name)) attempt(name, [&] { value = read(*node); });
+    return value;
 }
 
 std::optional<Section> Section::section(const std::string& name) {
     const toml::node* node = find(name);
     if (!node) return std::nullopt;
-    if (!node->is_table())
-        fail(*node, dotted(name), fmt::format("must be a table: [{}]", dotted(name)));
-    return Section(*node->as_table(), dotted(name));
+    if (node->is_table()) return Section(*node->as_table(), dotted(name), *mistakes_);
+    if (!is_wrong(name)) tell(name, fmt::format("must be a table: [{}]", dotted(name)));
+    return std::nullopt;
 }
 
 std::vector<Section> Section::list(const std::string& name, const char* one, int most) {
@@ -174,67 +197,66 @@ std::vector<Section> Section::list(const std::string& name, const char* one, int
     if (!node) return sections;
     const toml::array* list = node->as_array();
     if (!list || list->empty() || !list->is_array_of_tables()) {
-        fail(*node, dotted(name),
-             fmt::format("must be written as [[{}]], one such table a {}", name, one));
+        tell(name, fmt::format("must be written as [[{}]], one such table a {}", name, one));
+    } else if (list->size() > std::size_t(most)) {
+        tell(name, fmt::format("at most {}", most));
+    } else {
+        for (const toml::node& table : *list) {
+            sections.emplace_back(*table.as_table(), fmt::format("{}[{}]", name, sections.size()),
+                                  *mistakes_);
+        }
     }
-    if (list->size() > std::size_t(most))
-        fail(*node, dotted(name), fmt::format("at most {}", most));
-    for (const toml::node& table : *list)
-        sections.emplace_back(*table.as_table(), fmt::format("{}[{}]", name, sections.size()));
     return sections;
 }
 
 std::optional<std::string> Section::text(const std::string& name) {
-    const toml::node* node = find(name);
-    if (!node) return std::nullopt;
-    auto value = node->value_exact<std::string>();
-    if (!value) fail(*node, dotted(name), "must be a text in quotes");
-    return value;
+    return value(name, [&](const toml::node& node) {
+        auto text = node.value_exact<std::string>();
+        if (!text) fail(node, dotted(name), "must be a text in quotes");
+        return *std::move(text);
+    });
 }
 
 std::optional<double> Section::number(const std::string& name, double least, double most) {
-    const toml::node* node = find(name);
-    if (!node) return std::nullopt;
-    const double value = read_finite(*node, dotted(name));
-    if (value < least || value > most) {
-        fail(*node, dotted(name), fmt::format("must be from {} to {}, not {}", least, most, value));
-    }
-    return value;
+    return value(name, [&](const toml::node& node) {
+        const double number = read_finite(node, dotted(name));
+        if (number < least || number > most) {
+            fail(node, dotted(name),
+                 fmt::format("must be from {} to {}, not {}", least, most, number));
+        }
+        return number;
+    });
 }
 
 std::optional<int> Section::integer(const std::string& name, int least, int most) {
-    const toml::node* node = find(name);
-    if (!node) return std::nullopt;
-    const auto value = node->value_exact<std::int64_t>();
-    if (!value) fail(*node, dotted(name), "must be an integer");
-    if (*value < least || *value > most) {
-        fail(*node, dotted(name),
-             fmt::format("must be from {} to {}, not {}", least, most, *value));
-    }
-    return int(*value);
+    return value(name, [&](const toml::node& node) {
+        const auto number = node.value_exact<std::int64_t>();
+        if (!number) fail(node, dotted(name), "must be an integer");
+        if (*number < least || *number > most) {
+            fail(node, dotted(name),
+                 fmt::format("must be from {} to {}, not {}", least, most, *number));
+        }
+        return int(*number);
+    });
 }
 
 std::optional<bool> Section::boolean(const std::string& name) {
-    const toml::node* node = find(name);
-    if (!node) return std::nullopt;
-    const auto value = node->value_exact<bool>();
-    if (!value) fail(*node, dotted(name), "must be true or false");
-    return value;
+    return value(name, [&](const toml::node& node) {
+        const auto truth = node.value_exact<bool>();
+        if (!truth) fail(node, dotted(name), "must be true or false");
+        return *truth;
+    });
 }
 
 std::optional<animation::TrackSource> Section::track(const std::string& name) {
-    const toml::node* node = find(name);
-    if (!node) return std::nullopt;
-    return read_track(*node, dotted(name));
+    return value(name, [&](const toml::node& node) { return read_track(node, dotted(name)); });
 }
 
 std::optional<std::array<animation::TrackSource, 3>> Section::vector(const std::string& name) {
-    const toml::node* node = find(name);
-    if (!node) return std::nullopt;
-    return read_vector(*node, dotted(name));
+    return value(name, [&](const toml::node& node) { return read_vector(node, dotted(name)); });
 }
 
-void Section::refuse_rest() {
+bool Section::refuse_rest() {
     // The present name of a key, for what somebody may have meant.
     const auto present = [&](const std::string& name) {
         const RenamedKey* key = renamed_key(key_, name);
@@ -245,14 +267,17 @@ void Section::refuse_rest() {
     for (const std::string& name : known) {
         if (const RenamedKey* key = renamed_key(key_, name)) meant.emplace_back(key->before);
     }
+    bool is_all_known = true;
     for (const auto& [name, node] : *table_) {
         const std::string key(name.str());
         if (known_.count(present(key))) continue;
+        is_all_known = false;
+        if (mistakes_->is_full()) break;
         const std::string near = base::nearest_name(key, meant);
-        fail(node, dotted(key),
-             near.empty() ? fmt::format("unknown key; known here: {}", fmt::join(known, ", "))
-                          : fmt::format("unknown key; did you mean '{}'?", present(near)));
+        tell(key, near.empty() ? fmt::format("unknown key; known here: {}", fmt::join(known, ", "))
+                               : fmt::format("unknown key; did you mean '{}'?", present(near)));
     }
+    return is_all_known;
 }
 
 } // namespace isomotion::scene

@@ -7,12 +7,14 @@
 #include <optional>
 #include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <toml++/toml.h>
 
 #include "animation/animation.h"
 #include "scene/error.h"
+#include "scene/reading/mistakes.h"
 
 namespace isomotion::scene {
 
@@ -21,49 +23,46 @@ toml::table read_document(const std::filesystem::path& file);
 // Messages name `file`, and files that the document names are looked for beside it.
 toml::table parse_document(std::string_view text, const std::filesystem::path& file);
 
-// A mistake with its place in the document.
-class PlacedError : public SceneError {
-public:
-    PlacedError(const toml::node& at, const std::string& message)
-        : SceneError(message)
-        , at_(&at)
-        , line_(at.source().begin.line) {}
-    // May dangle, since a document that was read for this scene alone is destroyed: compare it
-    // only.
-    const toml::node* at() const { return at_; }
-    unsigned line() const { return line_; }
-
-private:
-    const toml::node* at_;
-    unsigned line_;
-};
-
 // "file:line", or "--set" for a value that was set on the command line.
 std::string position(const toml::node& node);
 // Throws PlacedError: "file:line: key: message".
 [[noreturn]] void fail(const toml::node& at, const std::string& key, const std::string& message);
 
-// One table of a document; `key` is its dotted name. Sections are read key by key. refuse_rest then
-// reports the first key that was not read, with the nearest known name.
+// One table of a document; `key` is its dotted name. Its keys are read one by one. A value of the
+// wrong kind is told in the list of mistakes, and counts as absent. refuse_rest tells of keys that
+// were not read, each with the nearest known name.
 class Section {
 public:
-    Section(const toml::table& table, std::string key)
+    Section(const toml::table& table, std::string key, MistakeList& mistakes)
         : table_(&table)
-        , key_(std::move(key)) {}
+        , key_(std::move(key))
+        , mistakes_(&mistakes) {}
 
     // Also finds a key under its former name (renamed_keys.h).
     const toml::node* find(const std::string& name);
     bool has(const std::string& name) const { return table_->contains(written(name)); }
     const toml::table& table() const { return *table_; }
     const std::string& key() const { return key_; }
+    MistakeList& mistakes() const { return *mistakes_; }
     // The key as the document writes it, for messages.
     std::string dotted(const std::string& name) const;
-    std::optional<Section> section(const std::string& name);
 
+    // Tells a mistake of the table, or of one of its keys, which must be there.
+    void tell(const std::string& message);
+    void tell(const std::string& name, const std::string& message);
+    // Tells that a key is missing; `what` is to be given.
+    void tell_missing(const std::string& name, const std::string& what);
+    // Whether the key's value was told to be wrong.
+    bool is_wrong(const std::string& name) const { return wrong_.contains(name); }
+    // Calls read(), which throws PlacedError where the key is wrong.
+    template<class Read> void attempt(const std::string& name, Read&& read) {
+        if (!mistakes_->attempt(std::forward<Read>(read))) wrong_.insert(name);
+    }
+
+    std::optional<Section> section(const std::string& name);
     // The tables of [[name]], each a section "name[k]"; empty if there is none. `one`: what a table
     // is.
     std::vector<Section> list(const std::string& name, const char* one, int most);
-
     std::optional<std::string> text(const std::string& name);
     std::optional<double> number(const std::string& name, double least, double most);
     std::optional<int> integer(const std::string& name, int least, int most);
@@ -71,14 +70,20 @@ public:
     std::optional<animation::TrackSource> track(const std::string& name);
     std::optional<std::array<animation::TrackSource, 3>> vector(const std::string& name);
 
-    void refuse_rest();
+    // Returns whether there are none.
+    bool refuse_rest();
 
 private:
     std::string written(const std::string& name) const;
+    // What read(node) gives for the key, if it is there and right.
+    template<class Read>
+    auto value(const std::string& name, Read&& read)
+        -> std::optional<decltype(read(std::declval<const toml::node&>()))>;
 
     const toml::table* table_;
     std::string key_;
-    std::set<std::string> known_;
+    MistakeList* mistakes_;
+    std::set<std::string> known_, wrong_;
 };
 
 // A number, an expression, or { keys = [[t, v], ...], ease = "linear" }.

@@ -12,10 +12,8 @@ namespace {
 void settle_background(Environment& environment, Section& section, Section& document) {
     const auto output = document.section("output");
     if (!output || !output->has("background")) return;
-    if (section.has("background") && environment.background) {
-        fail(*section.find("background"), "environment.background",
-             "the scene has output.background already; keep one");
-    }
+    if (section.has("background") && environment.background)
+        section.tell("background", "the scene has output.background already; keep one");
     environment.background = false;
 }
 
@@ -26,16 +24,18 @@ std::optional<Environment> read_environment(Section& document, TrackTable& track
     auto section = document.section("environment");
     if (!section) return std::nullopt;
     Environment environment;
-    const auto name = section->text("map");
-    if (!name) {
-        fail(section->table(), "environment",
-             "needs map = \"FILE\", a latitude-longitude map such as \"studio.exr\"");
+    if (!section->has("map")) {
+        section->tell("needs map = \"FILE\", a latitude-longitude map such as \"studio.exr\"");
+        section->find("map");
+    } else if (const auto name = section->text("map")) {
+        const toml::node& map = *section->find("map");
+        section->attempt("map", [&] {
+            environment.within = confines_of(map, within);
+            environment.map =
+                named_file(map, "environment.map",
+                           std::array{beside(map, *name), media_file(*name)}, environment.within);
+        });
     }
-    const toml::node& map = *section->find("map");
-    environment.within = confines_of(map, within);
-    environment.map =
-        named_file(map, "environment.map", std::array{beside(map, *name), media_file(*name)},
-                   environment.within);
     read_keys(keys::environment_keys, *section, environment, tracks);
     settle_background(environment, *section, document);
     section->refuse_rest();

@@ -13,18 +13,20 @@ Light read_light(Section section, TrackTable& tracks) {
     Light light;
     read_keys(keys::light_keys, section, light, tracks);
     if (section.has("direction") == section.has("position")) {
-        fail(section.table(), section.key(),
-             "needs one of direction = [x, y, z], pointing to the light, and position = [x, y, z]");
+        section.tell(
+            "needs one of direction = [x, y, z], pointing to the light, and position = [x, y, z]");
+        pass_over(keys::light_place_keys, section);
+        light.direction = tracks.add(section.dotted("direction"), 0, 0, 1);
+    } else {
+        read_keys(keys::light_place_keys, section, light, tracks);
     }
-    read_keys(keys::light_place_keys, section, light, tracks);
     light.is_point = section.has("position");
     if (light.falloff && !light.is_point) {
-        fail(*section.find("falloff"), section.dotted("falloff"),
-             "is of a light with a position; this one has none");
+        section.tell("falloff", "is of a light with a position; this one has none");
     }
     if (light.with_camera && light.is_point) {
-        fail(*section.find("with_camera"), section.dotted("with_camera"),
-             "is of a light with a direction: to the viewer's right, up and back");
+        section.tell("with_camera",
+                     "is of a light with a direction: to the viewer's right, up and back");
     }
     section.refuse_rest();
     return light;
@@ -47,7 +49,7 @@ std::optional<Around> read_section(Section& document, const char* name, const Ta
 void read_lights(Section& document, Scene& scene, TrackTable& tracks) {
     const std::vector<Section> list = document.list("lights", "light", limits::lights);
     for (const Section& section : list) scene.lights.push_back(read_light(section, tracks));
-    if (!list.empty()) return;
+    if (!scene.lights.empty()) return;
     Light light;
     light.headlight = true;
     light.direction = tracks.add("lights[0].direction", 0, 0, 1);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <memory>
 #include <numeric>
 #include <set>
 #include <span>
@@ -43,9 +44,9 @@ std::string read_title(Section& document, const fs::path& file) {
     const auto title = document.text("title");
     if (!title) return base::printable_line(file.stem().string());
     if (title->size() > limits::title_bytes || !base::is_one_printable_line(*title)) {
-        fail(*document.find("title"), "title",
-             fmt::format("must be one line of at most {} bytes, without control characters",
-                         limits::title_bytes));
+        document.tell("title", fmt::format("must be one line of at most {} bytes, without control "
+                                           "characters",
+                                           limits::title_bytes));
     }
     return *title;
 }
@@ -80,7 +81,7 @@ void check_work(const SurfaceParts& parts, const TrackTable& tracks) {
         std::max(formula::cost(parts.surface.field->gradient, counts).operations,
                  formula::cost(parts.surface.field->value, counts).operations);
     if (at_a_point > limits::operations_at_a_point) {
-        fail(*parts.formula_node, parts.catalogue ? "formula" : "surface.formula",
+        fail(*parts.formula_node, parts.formula_key(),
              fmt::format(
                  "takes {:.3g} operations at one point, all elements of its sums counted; at "
                  "most {:.3g} are possible: give its arrays fewer elements",
@@ -92,19 +93,11 @@ void check_work(const SurfaceParts& parts, const TrackTable& tracks) {
                  limits::operations_of_a_frame, &animation::Animation::operations);
 }
 
-SceneAt first_frame(const Scene& scene, const TrackTable& tracks) {
-    try {
-        return at_frame(scene, 1);
-    } catch (const ValueError& error) {
-        tracks.fail_at(error);
-    }
-}
-
 // A scene with sections needs no surface: caps show a solid, which may be all of space.
 void expect_surface(const Scene& scene, const SurfaceParts& parts) {
     const formula::Field& field = *parts.surface.field;
     if (formula::degree(field.graph, field.root) != 0 || !scene.sections.empty()) return;
-    fail(*parts.formula_node, parts.catalogue ? "formula" : "surface.formula",
+    fail(*parts.formula_node, parts.formula_key(),
          "the formula has the same value everywhere and so no surface; write an equation of x, y "
          "and z");
 }
@@ -129,15 +122,7 @@ void rescale(SurfaceParts& parts, const SurfaceAt& first) {
                              "it without these parts"
                            : "comes to values such as {:.1g} within the bounds; the GPU's "
                              "numbers hold 1e-37 to 1e38: multiply it by another number";
-    fail(*parts.formula_node, parts.catalogue ? "formula" : "surface.formula",
-         fmt::format(fmt::runtime(what), loss.example));
-}
-
-// A scene's document tells whether bounds have to be found.
-bool lacks_bounds(toml::table& root) {
-    const toml::table* surface = root["surface"].as_table();
-    return surface && surface->contains("formula") && !surface->contains("use") &&
-           !surface->contains("bounds");
+    fail(*parts.formula_node, parts.formula_key(), fmt::format(fmt::runtime(what), loss.example));
 }
 
 void put_bounds(toml::table& root, const probe::FoundBounds& found) {
@@ -147,125 +132,166 @@ void put_bounds(toml::table& root, const probe::FoundBounds& found) {
     root["surface"].as_table()->insert_or_assign("bounds", ball);
 }
 
-enum class Reading {
-    whole,
-    for_bounds,     // no more than find_bounds() asks for
-    without_unused, // the same, and names that nothing uses are let pass
+// Reads a document with one surface, and all that was set. `for_others`: parameters that other
+// surfaces may use; those that this one uses are taken out of it.
+class SceneReader {
+public:
+    SceneReader(toml::table& root, const base::Confines& within, std::set<std::string>* for_others)
+        : root_(root)
+        , within_(within)
+        , for_others_(for_others) {}
+
+    // Throws SceneError, Mistakes where they have places.
+    Scene read(const fs::path& file) {
+        scene_.file = file;
+        scene_.surfaces.emplace_back();
+        mistakes_.attempt([&] { surface().look = put_look(root_); });
+        read_document();
+        compile();
+        evaluate();
+        mistakes_.throw_if_any();
+        mistakes_.attempt([&] {
+            if (parts_->lacks_bounds) find_bounds();
+            measure();
+        });
+        mistakes_.throw_if_any();
+        return std::move(scene_);
+    }
+
+private:
+    Surface& surface() { return scene_.surfaces.front(); }
+
+    // What the file says, but for expressions.
+    void read_document() {
+        Section document(root_, "", mistakes_);
+        scene_.title = read_title(document, scene_.file);
+        document.find("look");     // what it set is in the document
+        document.find("surfaces"); // of which each is read as the one
+        const TimeParts time = read_time(document);
+        scene_.timeline = time.timeline;
+        seed_ = time.seed;
+        parts_ = read_surface(document, scene_.timeline, tracks_, within_, surface());
+        tracks_.place("surface.formula", parts_->formula_key(), parts_->formula_node);
+        const toml::table none;
+        auto given = document.section("surface");
+        Section space = given ? *given : Section(none, "surface", mistakes_);
+        read_space(space, *parts_, tracks_);
+        scene_.camera = read_camera(document, tracks_);
+        read_lights(document, scene_, tracks_);
+        material_ = read_material(document, *parts_, tracks_);
+        read_output(document, scene_);
+        read_surroundings(document, scene_, tracks_);
+        scene_.environment = read_environment(document, tracks_, within_);
+        if (parts_->catalogue) {
+            Section catalogue(*parts_->catalogue, "", mistakes_);
+            read_isolation(catalogue, surface().isolation, given_);
+        }
+        read_isolation(document, surface().isolation, given_);
+        scene_.sections = read_sections(document, tracks_);
+        if (surface().isolation.certify && !scene_.sections.empty()) {
+            mistakes_.attempt([&] {
+                fail(*document.find("sections"), "isolation.certify",
+                     "the GPU's proofs know no sections; leave one of the two out (audits and "
+                     "`accuracy` know them)");
+            });
+        }
+        document.refuse_rest();
+    }
+
+    // The formula and all expressions.
+    void compile() {
+        animate();
+        const bool is_formula_right = make_field(*parts_, mistakes_);
+        if (surface().field) {
+            make_paints(material_, *parts_, mistakes_);
+            if (is_formula_right) mistakes_.attempt([&] { expect_surface(scene_, *parts_); });
+            store_elements_of(*parts_, paints_of(surface().material));
+            if (is_formula_right && !mistakes_.may_name_others()) {
+                refuse_unused(*parts_, paints_of(surface().material), tracks_, for_others_,
+                              mistakes_);
+            }
+            surface().animation.keep_fields(surface().field->packing);
+            may_evaluate_ = mistakes_.attempt([&] { check_work(*parts_, tracks_); });
+        }
+        surface().value_places = std::make_shared<const ValuePlaces>(tracks_.stated());
+    }
+
+    void animate() {
+        surface().animation = tracks_.animate(parts_->arrays, seed_, mistakes_);
+        if (surface().field) surface().animation.keep_fields(surface().field->packing);
+    }
+
+    // The values of the first frame. Settings are chosen once, there: every frame is marched alike.
+    void evaluate() {
+        while (may_evaluate_) {
+            try {
+                first_ = at_frame(scene_, 1);
+                return;
+            } catch (const ValueError& error) {
+                if (!tracks_.replace(error, mistakes_)) return;
+                animate();
+            }
+        }
+    }
+
+    void find_bounds() {
+        const std::optional<probe::FoundBounds> found = probe::find_bounds(scene_);
+        if (!found) {
+            fail(*root_["surface"].as_table(), "surface.bounds",
+                 "is missing, and looking for the surface of so many elements or frames would take "
+                 "long; give { sphere = radius } or { box = [[x0, y0, z0], [x1, y1, z1]] }");
+        }
+        put_bounds(root_, *found);
+        const Bounds& bounds = surface().bounds;
+        tracks_.set(bounds.radius, found->radius);
+        for (int k = 0; k < 3; ++k) tracks_.set(bounds.centre[std::size_t(k)], found->centre[k]);
+        surface().found_bounds = found->is_about_surface;
+        animate();
+        first_ = at_frame(scene_, 1);
+    }
+
+    void measure() {
+        const SurfaceAt& first = first_.surfaces.front();
+        Surface& surface = scene_.surfaces.front();
+        Isolation& isolation = surface.isolation;
+        surface.measured = probe::measured(scene_, first);
+        if (!given_.step) isolation.step = first.bounds.radius / 100;
+        if (!given_.near || !given_.far || !given_.horizon) {
+            const double slope = probe::field_slope(*surface.field, first);
+            const probe::Thresholds found = probe::field_thresholds(slope, isolation.step);
+            if (!given_.near) isolation.near = found.near;
+            if (!given_.far) isolation.far = std::max(found.far, isolation.near);
+            if (!given_.horizon) isolation.horizon = found.horizon;
+        }
+        if (surface.jumps_are_walls) {
+            surface.field = std::make_shared<formula::Field>(
+                formula::with_walls(*surface.field, wall_part * first.bounds.radius));
+        }
+        rescale(*parts_, first);
+        // Curvatures are quotients of the same field's slopes.
+        make_paints(material_, *parts_, mistakes_);
+        mistakes_.throw_if_any();
+        if (material_.colormap)
+            find_shown_range(*material_.colormap, scene_, *surface.material.paint);
+    }
+
+    toml::table& root_;
+    const base::Confines& within_;
+    std::set<std::string>* for_others_;
+    MistakeList mistakes_;
+    TrackTable tracks_;
+    Scene scene_;
+    std::uint64_t seed_ = 0;
+    std::unique_ptr<SurfaceParts> parts_;
+    MaterialParts material_;
+    GivenThresholds given_; // of the scene or the catalogue
+    bool may_evaluate_ = false;
+    SceneAt first_;
 };
-
-// Reads a document with all that was set.
-// `for_others`: parameters that other surfaces may use, of which those that this one does are taken
-// out.
-Scene read_document_scene(toml::table& root, const fs::path& file, const base::Confines& within,
-                          Reading reading, std::set<std::string>* for_others) {
-    Scene scene;
-    scene.file = file;
-    Section document(root, "");
-    scene.title = read_title(document, scene.file);
-    document.find("look");     // what it set is in the document
-    document.find("surfaces"); // of which each is read as the one
-    TrackTable tracks;
-    const TimeParts time = read_time(document);
-    scene.timeline = time.timeline;
-    Surface& surface = scene.surfaces.emplace_back();
-    const auto parts = read_surface(document, scene.timeline, tracks, within, surface);
-    tracks.place("surface.formula", parts->catalogue ? "formula" : "surface.formula",
-                 parts->formula_node);
-    read_space(document, *parts, tracks);
-    scene.camera = read_camera(document, tracks);
-    read_lights(document, scene, tracks);
-    const MaterialParts material = read_material(document, *parts, tracks);
-    read_output(document, scene);
-    read_surroundings(document, scene, tracks);
-    scene.environment = read_environment(document, tracks, within);
-    GivenThresholds given;
-    if (parts->catalogue) {
-        Section catalogue(*parts->catalogue, "");
-        read_isolation(catalogue, surface.isolation, given);
-    }
-    read_isolation(document, surface.isolation, given);
-    scene.sections = read_sections(document, tracks);
-    if (surface.isolation.certify && !scene.sections.empty()) {
-        fail(*document.find("sections"), "isolation.certify",
-             "the GPU's proofs know no sections; leave one of the two out (audits and `accuracy` "
-             "know them)");
-    }
-    document.refuse_rest();
-
-    surface.animation = tracks.animate(parts->arrays, time.seed);
-    make_field(*parts);
-    expect_surface(scene, *parts);
-    make_paints(material, *parts);
-    store_elements_of(*parts, paints_of(surface.material));
-    if (reading != Reading::without_unused)
-        refuse_unused(*parts, paints_of(surface.material), tracks, for_others);
-    surface.animation.keep_fields(surface.field->packing);
-    surface.value_places = std::make_shared<const ValuePlaces>(tracks.stated());
-
-    // Settings are chosen once, at the first frame: every frame is marched alike.
-    check_work(*parts, tracks);
-    const SceneAt now = first_frame(scene, tracks);
-    const SurfaceAt& first = now.surfaces.front();
-    if (reading != Reading::whole) return scene;
-    Isolation& isolation = surface.isolation;
-    surface.measured = probe::measured(scene, first);
-    if (!given.step) isolation.step = first.bounds.radius / 100;
-    if (!given.near || !given.far || !given.horizon) {
-        const double slope = probe::field_slope(*surface.field, first);
-        const probe::Thresholds found = probe::field_thresholds(slope, isolation.step);
-        if (!given.near) isolation.near = found.near;
-        if (!given.far) isolation.far = std::max(found.far, isolation.near);
-        if (!given.horizon) isolation.horizon = found.horizon;
-    }
-    if (surface.jumps_are_walls) {
-        surface.field = std::make_shared<formula::Field>(
-            formula::with_walls(*surface.field, wall_part * first.bounds.radius));
-    }
-    rescale(*parts, first);
-    // Curvatures are quotients of the same field's slopes.
-    make_paints(material, *parts);
-    if (material.colormap) find_shown_range(*material.colormap, scene, *surface.material.paint);
-    return scene;
-}
-
-// Finds bounds where the document gives none, and puts them there: `root` is left whole. `within`:
-// where files may lie that the scene names.
-Scene read_with_bounds(toml::table& root, const fs::path& file, const base::Confines& within,
-                       std::set<std::string>* for_others) {
-    if (!lacks_bounds(root))
-        return read_document_scene(root, file, within, Reading::whole, for_others);
-    put_bounds(root, {glm::dvec3(0), probe::FoundBounds::reach});
-    const Scene boundless =
-        read_document_scene(root, file, within, Reading::for_bounds, for_others);
-    const std::optional<probe::FoundBounds> found = probe::find_bounds(boundless);
-    if (!found) {
-        fail(*root["surface"].as_table(), "surface.bounds",
-             "is missing, and looking for the surface of so many elements or frames would take "
-             "long; give { sphere = radius } or { box = [[x0, y0, z0], [x1, y1, z1]] }");
-    }
-    put_bounds(root, *found);
-    Scene scene = read_document_scene(root, file, within, Reading::whole, for_others);
-    scene.surfaces.front().found_bounds = found->is_about_surface;
-    return scene;
-}
 
 Scene read_one(toml::table& root, const fs::path& file, const base::Confines& within,
                std::set<std::string>* for_others) {
-    try {
-        NamedLook look = put_look(root);
-        Scene scene = read_with_bounds(root, file, within, for_others);
-        scene.surfaces.front().look = std::move(look);
-        return scene;
-    } catch (const PlacedError& first) {
-        throw all_mistakes(root, first, [&](Rereading again) {
-            // Bounds may not have been looked for yet.
-            if (lacks_bounds(root)) put_bounds(root, {glm::dvec3(0), probe::FoundBounds::reach});
-            read_document_scene(root, file, within,
-                                again == Rereading::all ? Reading::for_bounds
-                                                        : Reading::without_unused,
-                                for_others);
-        });
-    }
+    return SceneReader(root, within, for_others).read(file);
 }
 
 // A pixel is proved if what its ray meets of each surface is.
@@ -429,8 +455,11 @@ Scene load_into(toml::table& root, const std::string& name, const std::vector<Ov
 std::string title(const fs::path& file) {
     if (is_of_another_program(file)) return base::printable_line(file.stem().string());
     const toml::table root = read_document(file);
-    Section document(root, "");
-    return read_title(document, file);
+    MistakeList mistakes;
+    Section document(root, "", mistakes);
+    std::string title = read_title(document, file);
+    mistakes.throw_if_any();
+    return title;
 }
 
 Scene load(const std::string& name, const std::vector<Override>& overrides, Reach reach) {

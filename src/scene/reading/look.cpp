@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::string_view no_look = "none";
 
-toml::table read_look(const toml::node& at, const std::string& name) {
+toml::table read_look_file(const toml::node& at, const std::string& name) {
     const std::vector<std::string> known = look_names();
     if (std::ranges::count(known, name)) return read_document(look_file(name));
     const std::string near = base::nearest_name(name, known);
@@ -61,7 +61,7 @@ NamedLook put_look(toml::table& document) {
     const auto name = node->value_exact<std::string>();
     if (!name) fail(*node, "look", "must be a text in quotes, as \"studio\"");
     if (*name == no_look) return {};
-    toml::table look = read_look(*node, *name);
+    toml::table look = read_look_file(*node, *name);
     look.erase("title");
     leave_out(look, document);
     NamedLook put{*name};

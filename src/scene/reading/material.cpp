@@ -14,37 +14,35 @@ namespace {
 using Model = Material::Model;
 
 // The scene's colours, else the catalogue's.
-void read_colors(std::optional<Section>& own, SurfaceParts& parts, MaterialParts& read,
-                 TrackTable& tracks) {
-    std::optional<Section> catalogue;
-    if (parts.catalogue) catalogue = Section(*parts.catalogue, "").section("material");
-    struct Found {
-        const toml::node* node = nullptr;
-        std::string key;
-    };
-    const auto find = [&](const std::string& name) {
-        Found found;
+void read_colors(std::optional<Section>& own, std::optional<Section>& catalogue,
+                 SurfaceParts& parts, MaterialParts& read, TrackTable& tracks) {
+    const auto section_with = [&](const char* name) -> Section* {
         for (auto* section : {&own, &catalogue}) {
-            const toml::node* node = *section ? (*section)->find(name) : nullptr;
-            if (node && !found.node) found = {node, (*section)->dotted(name)};
+            if (*section && (*section)->has(name)) return &**section;
         }
-        return found;
+        return nullptr;
     };
-    if (const Found front = find("color"); front.node) {
-        read.color = read_color(*front.node, front.key, parts, tracks);
-    } else {
-        read.color.tracks = tracks.add("material.color", 0.72, 0.32, 0.08);
-    }
-    read.color.is_given = own && own->has("color");
     Material& material = parts.surface.material;
+    Section* given = section_with("color");
+    if (given) {
+        const toml::node& node = *given->find("color");
+        given->attempt(
+            "color", [&] { read.color = read_color(node, given->dotted("color"), parts, tracks); });
+    }
+    if (!given || given->is_wrong("color"))
+        read.color.tracks = tracks.add("material.color", 0.72, 0.32, 0.08);
+    read.color.is_given = own && own->has("color");
     material.color = read.color.tracks;
-    if (const Found back = find("back_color"); back.node)
-        material.inside = tracks.add(back.key, read_vector(*back.node, back.key), back.node);
-    if (catalogue) catalogue->refuse_rest();
+    if (Section* section = section_with("back_color"))
+        read_keys(keys::color_keys, *section, material, tracks);
 }
 
 // A model has keys that others lack.
 void read_gloss(Section& section, Material& material, TrackTable& tracks) {
+    if (section.is_wrong("model")) {
+        keys::for_each_model([&](Model, const auto& table) { pass_over(table, section); });
+        return;
+    }
     keys::for_each_model([&](Model model, const auto& table) {
         if (model == material.model) read_keys(table, section, material, tracks);
     });
@@ -56,30 +54,32 @@ void read_gloss(Section& section, Material& material, TrackTable& tracks) {
         });
     });
     for (const auto& [key, models] : owners) {
-        fail(*section.find(std::string(key)), section.dotted(std::string(key)),
-             fmt::format("{} is of model{} {}; this one is {}", key, models.size() > 1 ? "s" : "",
-                         fmt::join(models, " and "),
-                         keys::name(keys::model_words, material.model)));
+        section.tell(std::string(key),
+                     fmt::format("{} is of model{} {}; this one is {}", key,
+                                 models.size() > 1 ? "s" : "", fmt::join(models, " and "),
+                                 keys::name(keys::model_words, material.model)));
     }
 }
 
 void read_glass(Section& section, Material& material, TrackTable& tracks) {
     if (!section.has("transmission")) {
         keys::for_each_row(keys::glass_keys, [&](const auto& row) {
-            if (const toml::node* node = section.find(row.name)) {
-                fail(*node, section.dotted(row.name),
-                     fmt::format("{} is of matter that light goes through; give transmission = 1 "
-                                 "as well",
-                                 row.name));
+            if (section.find(row.name)) {
+                section.tell(
+                    row.name,
+                    fmt::format("{} is of matter that light goes through; give transmission = 1 "
+                                "as well",
+                                row.name));
             }
         });
         return;
     }
     read_keys(keys::glass_keys, section, material.glass.emplace(), tracks);
     if (material.reflection == Material::Reflection::none) return;
-    fail(*section.find("reflection"), section.dotted("reflection"),
-         "what light goes through mirrors what is around by its ior; leave reflection out, or "
-         "transmission");
+    section.tell(
+        "reflection",
+        "what light goes through mirrors what is around by its ior; leave reflection out, or "
+        "transmission");
 }
 
 } // namespace
@@ -88,8 +88,16 @@ MaterialParts read_material(Section& document, SurfaceParts& parts, TrackTable& 
     MaterialParts read;
     Material& material = parts.surface.material;
     auto own = document.section("material");
-    read_colors(own, parts, read, tracks);
+    std::optional<Section> catalogue;
+    if (parts.catalogue)
+        catalogue = Section(*parts.catalogue, "", document.mistakes()).section("material");
+    read_colors(own, catalogue, parts, read, tracks);
+    if (catalogue) {
+        pass_over(keys::color_keys, *catalogue);
+        catalogue->refuse_rest();
+    }
     if (own) {
+        pass_over(keys::color_keys, *own);
         read_keys(keys::cap_keys, *own, material, tracks);
         read_keys(keys::material_keys, *own, material, tracks);
         read_gloss(*own, material, tracks);
@@ -101,20 +109,31 @@ MaterialParts read_material(Section& document, SurfaceParts& parts, TrackTable& 
     return read;
 }
 
-void make_paints(const MaterialParts& parts, SurfaceParts& surface) {
+void make_paints(const MaterialParts& parts, SurfaceParts& surface, MistakeList& mistakes) {
     Material& material = surface.surface.material;
-    if (parts.colormap) material.paint = make_paint(*parts.colormap, surface);
-    if (parts.contours) material.contours = make_contours(*parts.contours, surface);
+    if (parts.colormap) {
+        material.paint = parts.colormap->paint;
+        if (parts.colormap->value)
+            mistakes.attempt([&] { material.paint = make_paint(*parts.colormap, surface); });
+    }
+    if (parts.contours) {
+        material.contours = parts.contours->contours;
+        if (parts.contours->value)
+            mistakes.attempt([&] { material.contours = make_contours(*parts.contours, surface); });
+    }
     // Elements' colours are not asked for where a map colours the surface.
     if (!parts.colormap || parts.color.is_of_place())
-        material.color_by_place = make_color(parts.color, surface);
+        mistakes.attempt([&] { material.color_by_place = make_color(parts.color, surface); });
 }
 
 std::vector<const formula::Paint*> paints_of(const Material& material) {
     std::vector<const formula::Paint*> paints;
-    if (material.paint) paints.push_back(material.paint->value.get());
-    if (material.color_by_place) paints.push_back(material.color_by_place.get());
-    if (material.contours) paints.push_back(material.contours->value.get());
+    const auto add = [&](const std::shared_ptr<const formula::Paint>& paint) {
+        if (paint) paints.push_back(paint.get()); // none whose expression is wrong
+    };
+    if (material.paint) add(material.paint->value);
+    add(material.color_by_place);
+    if (material.contours) add(material.contours->value);
     return paints;
 }
 

@@ -19,8 +19,8 @@ struct MaterialParts {
 // provides colours that the scene leaves out; a model and its values come only from the scene.
 MaterialParts read_material(Section& document, SurfaceParts& surface, TrackTable& tracks);
 
-// Compiles the material's expressions with the names of the surface.
-void make_paints(const MaterialParts& parts, SurfaceParts& surface);
+// Compiles the material's expressions with the names of the surface. Mistakes in them are told.
+void make_paints(const MaterialParts& parts, SurfaceParts& surface, MistakeList& mistakes);
 // The paints that the material has.
 std::vector<const formula::Paint*> paints_of(const Material& material);
 

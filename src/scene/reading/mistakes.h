@@ -1,17 +1,30 @@
-// Collects all mistakes of a scene's document, although reading stops at the first.
+// The mistakes of a scene's document. Reading tells each where it meets it, and goes on with
+// something right in its place.
 #pragma once
 
-#include <functional>
+#include <cstddef>
 #include <string>
 #include <vector>
 
-#include "scene/reading/document.h"
+#include <toml++/toml.h>
+
+#include "scene/error.h"
 
 namespace isomotion::scene {
 
-// How the document is read again. With `without_unused`, names that a mistaken value may have used
-// are not reported as unused.
-enum class Rereading { all, without_unused };
+// A mistake with its place in the document.
+class PlacedError : public SceneError {
+public:
+    PlacedError(const toml::node& at, const std::string& message);
+
+    unsigned line() const { return line_; } // 0 for a value of --set
+    // Whether the wrong value may name parameters, which then only seem to be used by nothing.
+    bool may_name_others() const { return may_name_others_; }
+
+private:
+    unsigned line_;
+    bool may_name_others_;
+};
 
 struct ToldMistake {
     unsigned line = 0; // of the document, counted from 1; 0 for mistakes of --set
@@ -33,11 +46,31 @@ private:
 // Both lists, with common entries once.
 Mistakes joined(const Mistakes& a, const Mistakes& b);
 
-// All mistakes, up to twenty. `first` is the mistake at which reading stopped; `read` reads the
-// document again. After each mistake the wrong value is removed from `root`, or replaced by a valid
-// one if other values depend on it. This goes on until reading succeeds, or until a mistake may be
-// a consequence of a removal.
-Mistakes all_mistakes(toml::table& root, const PlacedError& first,
-                      const std::function<void(Rereading)>& read);
+// Collects up to twenty mistakes.
+class MistakeList {
+public:
+    void tell(const PlacedError& mistake);
+    // Calls read() and tells the PlacedError that it throws. Returns whether it threw none.
+    template<class Read> bool attempt(Read&& read) {
+        try {
+            read();
+            return true;
+        } catch (const PlacedError& mistake) {
+            tell(mistake);
+            return false;
+        }
+    }
+
+    bool empty() const { return told_.empty(); }
+    std::size_t size() const { return told_.size(); }
+    bool is_full() const;
+    bool may_name_others() const { return may_name_others_; }
+    // Throws Mistakes if there are any.
+    void throw_if_any() const;
+
+private:
+    std::vector<ToldMistake> told_;
+    bool may_name_others_ = false;
+};
 
 } // namespace isomotion::scene

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -37,20 +38,55 @@ bool are_frames_set(const Section& document) {
 }
 
 SkyGradient read_gradient(Section section) {
-    const auto color = [&](const std::string& name) {
+    SkyGradient gradient;
+    for (auto [name, color] :
+         {std::pair("top", &gradient.top), std::pair("bottom", &gradient.bottom)}) {
         const toml::node* node = section.find(name);
-        if (!node) fail(section.table(), section.dotted(name), "is missing; give [r, g, b]");
-        return read_still_color(*node, section.dotted(name), "must be [r, g, b] (linear)");
-    };
-    const SkyGradient gradient{color("top"), color("bottom")};
+        if (!node) {
+            section.tell_missing(name, "[r, g, b]");
+            continue;
+        }
+        section.attempt(name, [&, to = color] {
+            *to = read_still_color(*node, section.dotted(name), "must be [r, g, b] (linear)");
+        });
+    }
     section.refuse_rest();
     return gradient;
+}
+
+void read_size(const toml::node& node, Output& output) {
+    constexpr int most = limits::picture_side;
+    const toml::array* size = node.as_array();
+    const auto width =
+        size && size->size() == 2 ? size->get(0)->value_exact<std::int64_t>() : std::nullopt;
+    const auto height = width ? size->get(1)->value_exact<std::int64_t>() : std::nullopt;
+    if (!width || !height || *width < 1 || *height < 1 || *width > most || *height > most) {
+        fail(node, "output.size",
+             fmt::format("must be [width, height], integers from 1 to {}", most));
+    }
+    output.width = int(*width);
+    output.height = int(*height);
+}
+
+void read_background(Section& section, const toml::node& node, Output& output) {
+    if (node.value_exact<std::string>() == "transparent") {
+        output.transparent = true;
+        output.background = {0, 0, 0};
+    } else if (node.is_table()) {
+        output.gradient = read_gradient(*section.section("background"));
+    } else {
+        section.attempt("background", [&] {
+            output.background =
+                read_still_color(node, "output.background",
+                                 "must be [r, g, b] (linear), { top = [r, g, b], bottom = "
+                                 "[r, g, b] } or \"transparent\"");
+        });
+    }
 }
 
 } // namespace
 
 void read_output(Section& document, Scene& scene) {
-    constexpr int most = limits::picture_side;
     Output& output = scene.output;
     output.background = {0.86, 0.86, 0.9};
     // One picture shows no blur.
@@ -59,39 +95,18 @@ void read_output(Section& document, Scene& scene) {
     output.samples = scene.camera.shutter > 0 || scene.camera.aperture || has_wide_light ? 16 : 1;
     auto section = document.section("output");
     if (!section) return;
-    if (const toml::node* node = section->find("size")) {
-        const toml::array* size = node->as_array();
-        const auto width =
-            size && size->size() == 2 ? size->get(0)->value_exact<std::int64_t>() : std::nullopt;
-        const auto height = width ? size->get(1)->value_exact<std::int64_t>() : std::nullopt;
-        if (!width || !height || *width < 1 || *height < 1 || *width > most || *height > most) {
-            fail(*node, "output.size",
-                 fmt::format("must be [width, height], integers from 1 to {}", most));
-        }
-        output.width = int(*width);
-        output.height = int(*height);
-    }
-    if (const toml::node* node = section->find("background")) {
-        if (node->value_exact<std::string>() == "transparent") {
-            output.transparent = true;
-            output.background = {0, 0, 0};
-        } else if (node->is_table()) {
-            output.gradient = read_gradient(*section->section("background"));
-        } else {
-            output.background =
-                read_still_color(*node, "output.background",
-                                 "must be [r, g, b] (linear), { top = [r, g, b], bottom = "
-                                 "[r, g, b] } or \"transparent\"");
-        }
-    }
+    if (const toml::node* node = section->find("size"))
+        section->attempt("size", [&] { read_size(*node, output); });
+    if (const toml::node* node = section->find("background"))
+        read_background(*section, *node, output);
     read_keys(keys::output_keys, *section, output);
     if (output.poster > scene.timeline.frames) {
         const toml::node& poster = *section->find("poster");
         // Fewer frames are wanted than the file has: the last of them stands for all.
         if (!are_frames_set(document) || !poster.source().path)
-            fail(poster, "output.poster",
-                 fmt::format("must be from 1 to {}, a frame of the scene, not {}",
-                             scene.timeline.frames, output.poster));
+            section->tell("poster",
+                          fmt::format("must be from 1 to {}, a frame of the scene, not {}",
+                                      scene.timeline.frames, output.poster));
         output.poster = scene.timeline.frames;
     }
     section->refuse_rest();

@@ -20,14 +20,20 @@ void read_range(Section& section, PaintParts& parts, TrackTable& tracks) {
         parts.paint.shown = Range{0, 1}; // until all else is known
         return;
     }
-    const toml::array* ends = range ? range->as_array() : nullptr;
-    if (!ends || ends->size() != 2) {
-        fail(range ? *range : section.table(), key,
-             fmt::format("{} [low, high], the values at the ends of the map, or \"auto\"",
-                         range ? "must be" : "is missing; give"));
+    constexpr const char* right = "[low, high], the values at the ends of the map, or \"auto\"";
+    std::optional<animation::TrackSource> low, high;
+    if (!range) {
+        section.tell_missing("range", right);
+    } else {
+        section.attempt("range", [&] {
+            const toml::array* ends = range->as_array();
+            if (!ends || ends->size() != 2) fail(*range, key, fmt::format("must be {}", right));
+            low = read_track(*ends->get(0), key + ".low");
+            high = read_track(*ends->get(1), key + ".high");
+        });
     }
-    parts.paint.low = tracks.add(key + ".low", read_track(*ends->get(0), key + ".low"), range);
-    parts.paint.high = tracks.add(key + ".high", read_track(*ends->get(1), key + ".high"), range);
+    parts.paint.low = tracks.add(key + ".low", low, 0, range);
+    parts.paint.high = tracks.add(key + ".high", high, 1, range);
 }
 
 } // namespace
@@ -35,12 +41,13 @@ void read_range(Section& section, PaintParts& parts, TrackTable& tracks) {
 PaintParts read_paint(Section section, TrackTable& tracks) {
     PaintParts parts;
     parts.value_node = section.find("value");
-    if (!parts.value_node) {
-        fail(section.table(), section.dotted("value"),
-             fmt::format("is missing; give an expression of {} and the surface's parameters",
-                         fmt::join(formula::paint_names, ", ")));
+    if (parts.value_node) {
+        parts.value = section.text("value");
+    } else {
+        section.tell_missing("value",
+                             fmt::format("an expression of {} and the surface's parameters",
+                                         fmt::join(formula::paint_names, ", ")));
     }
-    parts.value = *section.text("value");
     parts.value_key = section.dotted("value");
     read_range(section, parts, tracks);
     read_keys(keys::colormap_keys, section, parts.paint, tracks);
@@ -66,7 +73,7 @@ Paint make_paint(const PaintParts& parts, const SurfaceParts& surface) {
     Paint paint = parts.paint;
     try {
         paint.value = std::make_shared<formula::Paint>(
-            formula::make_paint(parts.value, surface.vocabulary, *surface.surface.field));
+            formula::make_paint(*parts.value, surface.vocabulary, *surface.surface.field));
     } catch (const formula::ParseError& error) {
         fail(*parts.value_node, parts.value_key, error.what());
     } catch (const std::length_error& error) {

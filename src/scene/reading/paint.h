@@ -10,8 +10,8 @@ namespace isomotion::scene {
 
 // The section as read before the field exists.
 struct PaintParts {
-    Paint paint; // without its expression
-    std::string value;
+    Paint paint;                      // without its expression
+    std::optional<std::string> value; // none if it is wrong
     const toml::node* value_node = nullptr;
     std::string value_key, range_key; // for messages
     // The node of `range = "auto"`, the range that the surface shows; null for another range.

@@ -1,6 +1,8 @@
 // Reads the keys of a section by their rows.
 #pragma once
 
+#include <array>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -13,26 +15,29 @@
 
 namespace isomotion::scene {
 
-// The index of the word that the key has. Throws PlacedError, with the nearest word if there is
-// one.
-std::size_t read_word(Section& section, const char* key, const std::string& text,
-                      const std::vector<std::string_view>& words);
+// The index of the word that the key has; none if it is not one of them, which is told with the
+// nearest word.
+std::optional<std::size_t> read_word(Section& section, const char* key,
+                                     const std::vector<std::string_view>& words);
 
 template<class Of, class Track, class At, class Value>
 void read_key(const keys::Animated<Of, Track, At, Value>& row, Section& section, Of& into,
               TrackTable& tracks) {
     const toml::node* at = section.find(row.name);
+    if (!at && row.kind.needed) section.tell_missing(row.name, row.kind.needed);
     const std::string key = section.dotted(row.name);
-    if (!at && row.kind.needed)
-        fail(section.table(), key, fmt::format("is missing; give {}", row.kind.needed));
-    if (!at && !row.kind.standard) return;
     if constexpr (row.is_vector) {
-        into.*row.track = at ? tracks.add(key, *section.vector(row.name), at)
-                             : tracks.add(key, (*row.kind.standard)[0], (*row.kind.standard)[1],
-                                          (*row.kind.standard)[2]);
+        const auto source = section.vector(row.name);
+        if (!source && !row.kind.standard && row.may_be_unset) return;
+        if (!at && !row.kind.standard && !row.kind.needed) return;
+        const auto otherwise = row.kind.standard.value_or(stand_in_vector);
+        into.*row.track = tracks.add(key, source, otherwise, at);
     } else {
-        into.*row.track =
-            tracks.add(key, at ? *section.track(row.name) : row.kind.standard->front(), at);
+        const auto source = section.track(row.name);
+        if (!source && !row.kind.standard && row.may_be_unset) return;
+        if (!at && !row.kind.standard && !row.kind.needed) return;
+        const double otherwise = row.kind.standard ? row.kind.standard->front() : stand_in_number;
+        into.*row.track = tracks.add(key, source, otherwise, at);
     }
 }
 
@@ -52,17 +57,15 @@ void read_key(const keys::Still<Of, Value>& row, Section& section, Of& into) {
 
 template<class Of, class E>
 void read_key(const keys::Choice<Of, E>& row, Section& section, Of& into) {
-    const auto text = section.text(row.name);
-    if (!text) return;
     std::vector<std::string_view> names;
     for (const auto& word : row.words) names.push_back(word.name);
-    into.*row.member = row.words[read_word(section, row.name, *text, names)].value;
+    if (const auto word = read_word(section, row.name, names))
+        into.*row.member = row.words[*word].value;
 }
 
 template<class Of> void read_key(const keys::ReadByHand&, Section&, Of&) {}
 
 // Reads the keys of the table that stand in the section, and gives the others their defaults.
-// Throws PlacedError.
 template<class Table, class Of, class... Tracks>
 void read_keys(const Table& table, Section& section, Of& into, Tracks&... tracks) {
     keys::for_each_row(table, [&]<class Row>(const Row& row) {
@@ -74,13 +77,17 @@ void read_keys(const Table& table, Section& section, Of& into, Tracks&... tracks
     });
 }
 
-// Refuses keys that stand in the section, but are of another kind of thing.
+// Tells keys that stand in the section, but are of another kind of thing.
 template<class Table>
 void refuse_keys(const Table& table, Section& section, const std::string& why) {
     keys::for_each_row(table, [&](const auto& row) {
-        if (const toml::node* node = section.find(row.name))
-            fail(*node, section.dotted(row.name), why);
+        if (section.find(row.name)) section.tell(row.name, why);
     });
+}
+
+// Marks the keys as known, for what is not read since it follows from another mistake.
+template<class Table> void pass_over(const Table& table, Section& section) {
+    keys::for_each_row(table, [&](const auto& row) { section.find(row.name); });
 }
 
 } // namespace isomotion::scene

@@ -11,11 +11,13 @@ Cut read_cut(Section section, TrackTable& tracks) {
     Cut cut;
     cut.is_ball = section.has("sphere");
     if (section.has("normal") == cut.is_ball) {
-        fail(section.table(), section.key(),
-             "needs one of normal = [x, y, z], which points to the half-space that is taken away, "
-             "and sphere = radius of a ball that is");
-    }
-    if (cut.is_ball) {
+        section.tell("needs one of normal = [x, y, z], which points to the half-space that is "
+                     "taken away, and sphere = radius of a ball that is");
+        pass_over(keys::plane_keys, section);
+        pass_over(keys::cut_ball_keys, section);
+        cut = {.is_ball = true, .centre = tracks.add(section.dotted("centre"), 0, 0, 0)};
+        cut.radius = cut.centre[0];
+    } else if (cut.is_ball) {
         read_keys(keys::cut_ball_keys, section, cut, tracks);
         refuse_keys(keys::plane_keys, section,
                     "is of a half-space, which has a normal; of a ball give centre = [x, y, z]");

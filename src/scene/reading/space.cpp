@@ -1,54 +1,82 @@
 #include "scene/reading/space.h"
 
+#include <fmt/format.h>
+
+#include "probe/found_bounds.h"
 #include "scene/key_tables.h"
 #include "scene/reading/read_keys.h"
 
 namespace isomotion::scene {
 namespace {
 
-void read_box(const toml::node& box, Bounds& bounds, TrackTable& tracks) {
+void read_box(Section& section, Bounds& bounds, TrackTable& tracks) {
     bounds.shape = Bounds::Shape::box;
     const std::string key = "surface.bounds.box";
-    const toml::array* corners = box.as_array();
-    if (!corners || corners->size() != 2)
-        fail(box, key, "must be two corners: [[x0, y0, z0], [x1, y1, z1]]");
-    const auto corner = [&](std::size_t k, const char* name) {
-        const toml::node& node = *corners->get(k);
-        return tracks.add(key + name, read_vector(node, fmt::format("{}[{}]", key, k)), &node);
+    std::array<std::optional<VectorSource>, 2> corners;
+    const toml::array* given = section.find("box")->as_array();
+    section.attempt("box", [&] {
+        if (!given || given->size() != 2)
+            fail(*section.find("box"), key, "must be two corners: [[x0, y0, z0], [x1, y1, z1]]");
+        for (std::size_t k = 0; k < 2; ++k)
+            corners[k] = read_vector(*given->get(k), fmt::format("{}[{}]", key, k));
+    });
+    const auto corner = [&](std::size_t k, const char* name, double otherwise) {
+        const toml::node* node = section.is_wrong("box") ? nullptr : given->get(k);
+        return tracks.add(key + name, corners[k], {otherwise, otherwise, otherwise}, node);
     };
-    bounds.min = corner(0, ".min");
-    bounds.max = corner(1, ".max");
+    bounds.min = corner(0, ".min", -1);
+    bounds.max = corner(1, ".max", 1);
+}
+
+void add_ball(double radius, Bounds& bounds, TrackTable& tracks) {
+    bounds.radius = tracks.add("surface.bounds.sphere", std::nullopt, radius, nullptr);
+    bounds.centre = tracks.add("surface.bounds.centre", 0, 0, 0);
+}
+
+// The section with the bounds, of the catalogue where the scene gives none.
+std::optional<Section> given_bounds(Section& surface, SurfaceParts& parts) {
+    auto given = surface.section("bounds");
+    if (!surface.has("bounds") && parts.catalogue)
+        given = Section(*parts.catalogue, "", surface.mistakes()).section("bounds");
+    // Their tracks have one name.
+    if (given) return Section(given->table(), "surface.bounds", surface.mistakes());
+    return std::nullopt;
+}
+
+void read_bounds(Section& surface, SurfaceParts& parts, TrackTable& tracks) {
+    Bounds& bounds = parts.surface.bounds;
+    std::optional<Section> given = given_bounds(surface, parts);
+    if (!given) {
+        add_ball(probe::FoundBounds::reach, bounds, tracks);
+        parts.lacks_bounds = !surface.has("bounds") && !parts.catalogue;
+        if (surface.has("bounds") || !parts.catalogue) return;
+        surface.tell_missing("bounds",
+                             "{ sphere = radius } or { box = [[x0, y0, z0], [x1, y1, z1]] }");
+        return;
+    }
+    if (given->has("box") == given->has("sphere")) {
+        given->tell("needs one of sphere = radius and box = [[..], [..]]");
+        add_ball(1, bounds, tracks);
+        pass_over(keys::ball_keys, *given);
+        pass_over(keys::box_keys, *given);
+    } else if (given->has("box")) {
+        read_box(*given, bounds, tracks);
+        refuse_keys(keys::ball_keys, *given, "is of a ball; these bounds are a box");
+    } else {
+        read_keys(keys::ball_keys, *given, bounds, tracks);
+        pass_over(keys::box_keys, *given);
+    }
+    given->refuse_rest();
 }
 
 } // namespace
 
-void read_space(Section& document, SurfaceParts& parts, TrackTable& tracks) {
-    auto section = document.section("surface");
-    Bounds& bounds = parts.surface.bounds;
-    std::optional<Section> given = section->section("bounds");
-    if (!given && parts.catalogue) given = Section(*parts.catalogue, "").section("bounds");
-    if (!given) {
-        fail(section->table(), "surface.bounds",
-             "is missing; give { sphere = radius } or { box = [[x0, y0, z0], [x1, y1, z1]] }");
-    }
-    const toml::node* box = given->find("box");
-    const toml::node* sphere = given->find("sphere");
-    if (bool(box) == bool(sphere)) {
-        fail(given->table(), "surface.bounds",
-             "needs one of sphere = radius and box = [[..], [..]]");
-    }
-    Section named(given->table(), "surface.bounds"); // also those of the catalogue
-    if (box) {
-        read_box(*box, bounds, tracks);
-    } else {
-        read_keys(keys::ball_keys, named, bounds, tracks);
-        given->find("centre");
-    }
-    given->refuse_rest();
-
+void read_space(Section& surface, SurfaceParts& parts, TrackTable& tracks) {
+    read_bounds(surface, parts, tracks);
     const toml::table none;
-    auto place = section->section("transform");
-    Section transform = place ? *place : Section(none, section->dotted("transform"));
+    auto place = surface.section("transform");
+    Section transform =
+        place ? *place : Section(none, surface.dotted("transform"), surface.mistakes());
     read_keys(keys::transform_keys, transform, parts.surface.placement, tracks);
     transform.refuse_rest();
 }

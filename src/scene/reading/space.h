@@ -5,7 +5,8 @@
 
 namespace isomotion::scene {
 
-// Reads the surface's bounds and transform. Their tracks follow those of the parameters.
-void read_space(Section& document, SurfaceParts& parts, TrackTable& tracks);
+// Reads the bounds and the transform of [surface]. Their tracks follow those of the parameters.
+// Without bounds there are tracks of a ball that is as large as bounds are looked for.
+void read_space(Section& surface, SurfaceParts& parts, TrackTable& tracks);
 
 } // namespace isomotion::scene

@@ -19,31 +19,33 @@ namespace isomotion::scene {
 namespace {
 
 struct Parameter {
-    animation::TrackSource source;
-    const toml::node* node;
+    std::optional<animation::TrackSource> source; // none if it is wrong
+    const toml::node* node = nullptr;
     Range range;
 };
 
 // A surface file's parameter is { default = 6, min = 0.5, max = 20 }, or as in a scene, where it
 // keeps the surface's range.
-Parameter read_parameter(const toml::node& node, const std::string& key, const Range& known) {
+Parameter read_parameter(Section& parameters, const std::string& name, const Range& known) {
+    const toml::node& node = *parameters.find(name);
     const toml::table* table = node.as_table();
-    if (!table || table->contains("keys")) return {read_track(node, key), &node, known};
-    Section section(*table, key);
-    const toml::node* value = section.find("default");
-    if (!value) fail(node, key, "needs a default, or keys = [[t, value], ...]");
+    if (!table || table->contains("keys")) return {parameters.track(name), &node, known};
+    Section section(*table, parameters.dotted(name), parameters.mistakes());
     Range range = known;
     range.least = section.number("min", -1e30, 1e30).value_or(range.least);
     range.most = section.number("max", -1e30, 1e30).value_or(range.most);
+    const toml::node* value = section.find("default");
+    const auto source = section.track("default");
     section.refuse_rest();
-    if (range.least > range.most) {
-        fail(node, key, fmt::format("min = {} is above max = {}", range.least, range.most));
+    if (!value) {
+        section.tell("needs a default, or keys = [[t, value], ...]");
+    } else if (range.least > range.most) {
+        section.tell(fmt::format("min = {} is above max = {}", range.least, range.most));
+    } else if (value->is_number() && !range.contains(*value->value<double>())) {
+        section.tell("default",
+                     fmt::format("must be from min = {} to max = {}", range.least, range.most));
     }
-    if (value->is_number() && !range.contains(*value->value<double>())) {
-        fail(*value, section.dotted("default"),
-             fmt::format("must be from min = {} to max = {}", range.least, range.most));
-    }
-    return {read_track(*value, section.dotted("default")), &node, range};
+    return {source, &node, range};
 }
 
 // Parameters in the order of first mention: the catalogue's, then the scene's own.
@@ -55,23 +57,25 @@ void read_parameters(Section& document, SurfaceParts& parts, TrackTable& tracks)
         // toml++ keeps tables sorted by key: the order is the same for every run.
         for (const auto& [name_key, node] : section->table()) {
             const std::string name(name_key.str());
-            check_name(name, node, section->dotted(name));
-            if (!found.count(name)) parts.parameters.push_back(name);
-            found[name] = read_parameter(node, section->dotted(name), found[name].range);
-            if (parts.parameters.size() > std::size_t(limits::parameters)) {
-                fail(node, section->dotted(name),
-                     fmt::format("is one too many: a scene has at most {} parameters",
-                                 limits::parameters));
+            section->attempt(name, [&] { check_name(name, node, section->dotted(name)); });
+            if (section->is_wrong(name)) continue;
+            if (parts.parameters.size() == std::size_t(limits::parameters) && !found.count(name)) {
+                section->tell(name,
+                              fmt::format("is one too many: a scene has at most {} parameters",
+                                          limits::parameters));
+                return;
             }
+            if (!found.count(name)) parts.parameters.push_back(name);
+            found[name] = read_parameter(*section, name, found[name].range);
         }
     };
     if (parts.catalogue) {
-        Section catalogue(*parts.catalogue, "");
+        Section catalogue(*parts.catalogue, "", document.mistakes());
         read(catalogue);
     }
     read(document);
     for (const std::string& name : parts.parameters) {
-        tracks.add(name, found[name].source, found[name].node);
+        tracks.add(name, found[name].source, stand_in_number, found[name].node);
         tracks.place(name, "parameters." + name, found[name].node);
         parts.surface.ranges.push_back(found[name].range);
     }
@@ -84,7 +88,7 @@ animation::TrackSource as_track(const animation::FieldSource& source) {
 }
 
 // Fields with one value for all elements become parameters: read once, not once an element.
-void make_vocabulary(SurfaceParts& parts, TrackTable& tracks) {
+void make_vocabulary(SurfaceParts& parts, TrackTable& tracks, MistakeList& mistakes) {
     parts.vocabulary.parameters = parts.parameters;
     for (const animation::Array& array : parts.arrays) {
         formula::ArrayName names{array.name, {}};
@@ -93,7 +97,8 @@ void make_vocabulary(SurfaceParts& parts, TrackTable& tracks) {
             formula::FieldName name{field.name, {}};
             if (animation::stands_alone(array, f)) {
                 const std::string track = array.name + "." + field.name;
-                name.parameter = tracks.add(track, as_track(field.source), nullptr);
+                name.parameter =
+                    tracks.add(track, as_track(field.source), stand_in_number, nullptr);
                 parts.vocabulary.parameters.push_back(track);
             }
             names.fields.push_back(name);
@@ -102,14 +107,17 @@ void make_vocabulary(SurfaceParts& parts, TrackTable& tracks) {
     }
     parts.surface.parameters = tracks.size();
     if (tracks.size() > limits::parameters) {
-        tracks.fail_at(parts.vocabulary.parameters.back(),
-                       fmt::format("is one too many: parameters, and fields with one value for all "
-                                   "elements, are at most {} together",
-                                   limits::parameters));
+        mistakes.attempt([&] {
+            tracks.fail_at(
+                parts.vocabulary.parameters.back(),
+                fmt::format("is one too many: parameters, and fields with one value for all "
+                            "elements, are at most {} together",
+                            limits::parameters));
+        });
     }
 }
 
-toml::table read_catalogue(const toml::node& use, const std::string& name) {
+toml::table catalogue_document(const toml::node& use, const std::string& name) {
     const auto file = surface_file(name);
     // A bare name: no path to somewhere else.
     std::error_code ignored;
@@ -123,6 +131,24 @@ toml::table read_catalogue(const toml::node& use, const std::string& name) {
                  : fmt::format("there is no surface '{}'; did you mean '{}'?", name, near));
     }
     return read_document(file);
+}
+
+void read_catalogue(const toml::node& use, const std::string& name, SurfaceParts& parts,
+                    MistakeList& mistakes) {
+    parts.surface.name = name;
+    parts.catalogue = catalogue_document(use, name);
+    Section catalogue(*parts.catalogue, "", mistakes);
+    for (const char* known :
+         {"title", "source", "bounds", "parameters", "arrays", "isolation", "material"}) {
+        catalogue.find(known);
+    }
+    parts.formula_node = catalogue.find("formula");
+    if (parts.formula_node) {
+        parts.formula = catalogue.text("formula");
+    } else {
+        catalogue.tell_missing("formula", "the left side of F = 0");
+    }
+    catalogue.refuse_rest();
 }
 
 // The key of a scene that --set would need its section for; empty for other names, and for those of
@@ -149,7 +175,8 @@ std::vector<const formula::Graph*> graphs_of(const SurfaceParts& parts,
 // "weigth = 2" would leave the catalogue's weight as it was. `used` is that of the vocabulary's
 // parameters. An array that the formula leaves out altogether is no slip.
 void refuse_unused_fields(const SurfaceParts& parts, std::span<const formula::Graph* const> graphs,
-                          const std::vector<bool>& used, const TrackTable& tracks) {
+                          const std::vector<bool>& used, const TrackTable& tracks,
+                          MistakeList& mistakes) {
     const animation::Animation& animation = parts.surface.animation;
     for (std::size_t a = 0; a < parts.arrays.size(); ++a) {
         const animation::Array& array = parts.arrays[a];
@@ -176,12 +203,43 @@ void refuse_unused_fields(const SurfaceParts& parts, std::span<const formula::Gr
             std::vector<std::string> others = names;
             others.erase(others.begin() + std::ptrdiff_t(f));
             const std::string near = base::nearest_name(names[f], others);
-            tracks.fail_at(array.name + "." + names[f],
-                           near.empty()
-                               ? "neither the formula nor another field uses this field"
-                               : fmt::format("nothing uses this field; did you mean '{}'?", near));
+            mistakes.attempt([&] {
+                tracks.fail_at(
+                    array.name + "." + names[f],
+                    near.empty()
+                        ? "neither the formula nor another field uses this field"
+                        : fmt::format("nothing uses this field; did you mean '{}'?", near));
+            });
         }
     }
+}
+
+// Reads [surface] but for its bounds and its transform.
+void read_formula(Section& document, SurfaceParts& parts) {
+    auto section = document.section("surface");
+    if (!section) {
+        if (!document.has("surface")) {
+            document.find("surface");
+            document.tell_missing("surface", "formula = \"...\" and bounds, or use = \"name\" of "
+                                             "the catalogue");
+        }
+        return;
+    }
+    read_keys(keys::surface_keys, *section, parts.surface);
+    pass_over(keys::surface_keys, *section);
+    for (const char* later : {"bounds", "transform"}) section->find(later);
+    const toml::node* use = section->find("use");
+    if (use && section->has("formula")) {
+        section->tell("formula", "the surface has `use` already; keep one");
+    } else if (const auto name = section->text("use")) {
+        section->attempt("use", [&] { read_catalogue(*use, *name, parts, section->mistakes()); });
+    } else if (!use && section->has("formula")) {
+        parts.formula_node = section->find("formula");
+        parts.formula = section->text("formula");
+    }
+    const bool are_keys_known = section->refuse_rest();
+    if (use || section->has("formula") || !are_keys_known) return; // a slip of the pen in its name
+    section->tell("needs formula = \"...\", or use = \"name\" of the catalogue");
 }
 
 } // namespace
@@ -190,59 +248,34 @@ std::unique_ptr<SurfaceParts> read_surface(Section& document, const animation::T
                                            TrackTable& tracks, const base::Confines& within,
                                            Surface& surface) {
     auto parts = std::make_unique<SurfaceParts>(surface);
-    auto section = document.section("surface");
-    if (!section) {
-        fail(document.table(), "surface",
-             "is missing; give formula = \"...\" and bounds, or use = \"name\" of the catalogue");
-    }
-    const toml::node* use = section->find("use");
-    const toml::node* formula = section->find("formula");
-    if (use && formula)
-        fail(*formula, "surface.formula", "the surface has `use` already; keep one");
-    if (use) {
-        parts->surface.name = *section->text("use");
-        parts->catalogue = read_catalogue(*use, parts->surface.name);
-        Section catalogue(*parts->catalogue, "");
-        for (const char* known :
-             {"title", "source", "bounds", "parameters", "arrays", "isolation", "material"}) {
-            catalogue.find(known);
-        }
-        parts->formula_node = catalogue.find("formula");
-        if (!parts->formula_node) fail(*parts->catalogue, "formula", "is missing");
-        parts->formula = *catalogue.text("formula");
-        catalogue.refuse_rest();
-    } else if (formula) {
-        parts->formula_node = formula;
-        parts->formula = *section->text("formula");
-    } else {
-        for (const char* known : {"bounds", "transform", "jumps"}) section->find(known);
-        section->refuse_rest(); // a slip of the pen in its name
-        fail(section->table(), "surface",
-             "needs formula = \"...\", or use = \"name\" of the catalogue");
-    }
-    read_keys(keys::surface_keys, *section, parts->surface);
-    for (const char* later : {"bounds", "transform"}) section->find(later);
-    section->refuse_rest();
+    MistakeList& mistakes = document.mistakes();
+    read_formula(document, *parts);
     read_parameters(document, *parts, tracks);
-    if (parts->catalogue) {
-        Section catalogue(*parts->catalogue, "");
-        parts->arrays = read_arrays(&catalogue, document, timeline, tracks, within);
-    } else {
-        parts->arrays = read_arrays(nullptr, document, timeline, tracks, within);
-    }
-    make_vocabulary(*parts, tracks);
+    std::optional<Section> catalogue;
+    if (parts->catalogue) catalogue.emplace(*parts->catalogue, "", mistakes);
+    parts->are_arrays_known = read_arrays(catalogue ? &*catalogue : nullptr, document, timeline,
+                                          tracks, within, parts->arrays);
+    make_vocabulary(*parts, tracks, mistakes);
     return parts;
 }
 
-void make_field(SurfaceParts& parts) {
-    try {
+bool make_field(SurfaceParts& parts, MistakeList& mistakes) {
+    if (!parts.are_arrays_known) return false;
+    const auto make = [&](const std::string& formula) {
         parts.surface.field =
-            std::make_shared<formula::Field>(formula::make_field(parts.formula, parts.vocabulary));
-    } catch (const formula::ParseError& error) {
-        fail(*parts.formula_node, parts.catalogue ? "formula" : "surface.formula", error.what());
-    } catch (const std::length_error& error) {
-        fail(*parts.formula_node, parts.catalogue ? "formula" : "surface.formula", error.what());
-    }
+            std::make_shared<formula::Field>(formula::make_field(formula, parts.vocabulary));
+    };
+    const bool is_right = parts.formula && mistakes.attempt([&] {
+        try {
+            make(*parts.formula);
+        } catch (const formula::ParseError& error) {
+            fail(*parts.formula_node, parts.formula_key(), error.what());
+        } catch (const std::length_error& error) {
+            fail(*parts.formula_node, parts.formula_key(), error.what());
+        }
+    });
+    if (!is_right) make("x");
+    return is_right;
 }
 
 void store_elements_of(SurfaceParts& parts, std::span<const formula::Paint* const> paints) {
@@ -254,7 +287,8 @@ void store_elements_of(SurfaceParts& parts, std::span<const formula::Paint* cons
 }
 
 void refuse_unused(const SurfaceParts& parts, std::span<const formula::Paint* const> paints,
-                   const TrackTable& tracks, std::set<std::string>* for_others) {
+                   const TrackTable& tracks, std::set<std::string>* for_others,
+                   MistakeList& mistakes) {
     std::vector<bool> used(parts.vocabulary.parameters.size(), false);
     const auto graphs = graphs_of(parts, paints);
     for (const formula::Graph* graph : graphs) {
@@ -263,7 +297,7 @@ void refuse_unused(const SurfaceParts& parts, std::span<const formula::Paint* co
             if (node.op == formula::Op::parameter) used[std::size_t(node.index)] = true;
         }
     }
-    refuse_unused_fields(parts, graphs, used, tracks);
+    refuse_unused_fields(parts, graphs, used, tracks, mistakes);
     // A parameter that neither the formula nor an expression names is a slip of the pen.
     for (std::size_t k = 0; k < parts.parameters.size(); ++k) {
         if (used[k] || parts.surface.animation.is_referenced(int(k))) {
@@ -276,13 +310,15 @@ void refuse_unused(const SurfaceParts& parts, std::span<const formula::Paint* co
         const std::string& name = parts.parameters[k];
         const std::string near = base::nearest_name(name, others);
         const std::string key = key_called(name);
-        tracks.fail_at(name,
-                       !key.empty() ? fmt::format("nothing uses this parameter; did you mean the "
-                                                  "scene's key {}?",
-                                                  key)
-                       : near.empty()
-                           ? "neither the formula nor an expression uses this parameter"
-                           : fmt::format("nothing uses this parameter; did you mean '{}'?", near));
+        mistakes.attempt([&] {
+            tracks.fail_at(
+                name, !key.empty() ? fmt::format("nothing uses this parameter; did you mean the "
+                                                 "scene's key {}?",
+                                                 key)
+                      : near.empty()
+                          ? "neither the formula nor an expression uses this parameter"
+                          : fmt::format("nothing uses this parameter; did you mean '{}'?", near));
+        });
     }
 }
 

@@ -14,29 +14,35 @@ namespace isomotion::scene {
 // A surface that is being read.
 struct SurfaceParts {
     Surface& surface; // the field is made later, when uniform fields have their tracks
-    std::string formula{};
+    std::optional<std::string> formula{}; // none if it is wrong
     const toml::node* formula_node = nullptr;
+    bool lacks_bounds = false; // which have to be found then
     std::vector<std::string> parameters{};
     std::vector<animation::Array> arrays{};
+    bool are_arrays_known = true; // none is wrong as a whole
     formula::Vocabulary vocabulary{};
     std::optional<toml::table> catalogue{}; // the catalogue's file, kept for places and [isolation]
+
+    const char* formula_key() const { return catalogue ? "formula" : "surface.formula"; }
 };
 
-// Reads the three sections into `surface` and adds their tracks: parameters first, then fields that
-// have one value for all elements.
+// Reads the three sections into `surface`, all but its bounds and transform, and adds their tracks:
+// parameters first, then fields that have one value for all elements.
 std::unique_ptr<SurfaceParts> read_surface(Section& document, const animation::Timeline& timeline,
                                            TrackTable& tracks, const base::Confines& within,
                                            Surface& surface);
 
-// Parses the formula.
-void make_field(SurfaceParts& parts);
+// Parses the formula. Returns whether it is right. A mistake is told, and another formula stands in
+// for it. There is no field where the formula's names are not known, as an array is wrong.
+bool make_field(SurfaceParts& parts, MistakeList& mistakes);
 
 // Adds the array fields that paints read to the data stored for the field.
 void store_elements_of(SurfaceParts& parts, std::span<const formula::Paint* const> paints);
 
-// Refuses parameters and fields that neither the formula, nor a paint, nor another value uses.
+// Tells parameters and fields that neither the formula, nor a paint, nor another value uses.
 // Other surfaces may use the names in `for_others`; names used here are removed from it.
 void refuse_unused(const SurfaceParts& parts, std::span<const formula::Paint* const> paints,
-                   const TrackTable& tracks, std::set<std::string>* for_others);
+                   const TrackTable& tracks, std::set<std::string>* for_others,
+                   MistakeList& mistakes);
 
 } // namespace isomotion::scene

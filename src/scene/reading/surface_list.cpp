@@ -17,12 +17,14 @@ constexpr std::size_t longest_name = 64;
 std::string number_of(std::size_t index) { return std::to_string(index + 1); }
 
 void refuse_unknown_keys(const toml::table& surface, std::size_t index) {
-    Section section(surface, fmt::format("surfaces[{}]", index + 1));
+    MistakeList mistakes;
+    Section section(surface, fmt::format("surfaces[{}]", index + 1), mistakes);
     for (const char* known :
          {"name", "formula", "use", "bounds", "jumps", "transform", "placement"})
         section.find(known);
     for (const char* known : own_sections) section.find(known);
     section.refuse_rest();
+    mistakes.throw_if_any();
 }
 
 std::string read_name(const toml::table& table, std::size_t index) {

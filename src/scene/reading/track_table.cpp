@@ -1,33 +1,75 @@
 #include "scene/reading/track_table.h"
 
+#include <algorithm>
+
 #include <fmt/format.h>
 
 namespace isomotion::scene {
 
-TrackId TrackTable::add(const std::string& name, animation::TrackSource source,
+TrackId TrackTable::add(const std::string& name,
+                        const std::optional<animation::TrackSource>& source, double otherwise,
                         const toml::node* at) {
-    tracks_.push_back({name, std::move(source)});
+    tracks_.push_back({{name, source.value_or(otherwise)}, otherwise, name});
     if (at || !places_.count(name)) place(name, name, at);
-    return int(tracks_.size()) - 1;
+    return size() - 1;
 }
 
-Vec3Track TrackTable::add(const std::string& name,
-                          const std::array<animation::TrackSource, 3>& source,
-                          const toml::node* at) {
-    return {add(name + ".x", source[0], at), add(name + ".y", source[1], at),
-            add(name + ".z", source[2], at)};
+Vec3Track TrackTable::add(const std::string& name, const std::optional<VectorSource>& source,
+                          const std::array<double, 3>& otherwise, const toml::node* at) {
+    Vec3Track tracks;
+    for (std::size_t k = 0; k < 3; ++k) {
+        const std::string component = fmt::format("{}.{}", name, "xyz"[k]);
+        tracks[k] =
+            add(component, source ? std::optional((*source)[k]) : std::nullopt, otherwise[k], at);
+        tracks_.back().of_value = name;
+    }
+    return tracks;
 }
 
 void TrackTable::place(const std::string& name, const std::string& key, const toml::node* at) {
     places_[name] = {key, at};
 }
 
-animation::Animation TrackTable::animate(std::vector<animation::Array> arrays,
-                                         std::uint64_t seed) const {
-    try {
-        return animation::Animation(tracks_, std::move(arrays), seed);
-    } catch (const animation::ExpressionError& error) {
-        fail_at(error.owner(), error.what());
+void TrackTable::set(TrackId track, double value) {
+    tracks_[std::size_t(track)].track.source = value;
+}
+
+// Replaces the whole value that the track is of.
+bool TrackTable::replace(const std::string& name) {
+    const auto found =
+        std::ranges::find(tracks_, name, [](const Entry& entry) { return entry.track.name; });
+    if (found == tracks_.end() || found->is_replaced) return false;
+    const std::string of_value = found->of_value;
+    for (Entry& entry : tracks_) {
+        if (entry.of_value != of_value) continue;
+        entry.track.source = entry.otherwise;
+        entry.is_replaced = true;
+    }
+    return true;
+}
+
+animation::Animation TrackTable::animate(std::vector<animation::Array>& arrays, std::uint64_t seed,
+                                         MistakeList& mistakes) {
+    std::vector<animation::Track> tracks;
+    while (true) {
+        tracks.clear();
+        for (const Entry& entry : tracks_) tracks.push_back(entry.track);
+        try {
+            return animation::Animation(tracks, arrays, seed);
+        } catch (const animation::ExpressionError& error) {
+            mistakes.attempt([&] { fail_at(error.owner(), error.what()); });
+            if (mistakes.is_full()) mistakes.throw_if_any();
+            if (replace(error.owner())) continue;
+            bool is_field = false;
+            for (animation::Array& array : arrays) {
+                for (animation::ArrayField& field : array.fields) {
+                    if (array.name + "." + field.name != error.owner()) continue;
+                    field.source = stand_in_number;
+                    is_field = true;
+                }
+            }
+            if (!is_field) mistakes.throw_if_any();
+        }
     }
 }
 
@@ -44,6 +86,17 @@ void TrackTable::fail_at(const ValueError& error) const {
     const std::string& key = found.key.empty() ? found.place->key : found.key;
     fail(*found.place->node, fmt::format("{}{} at t = {}", key, found.rest, error.time()),
          error.why());
+}
+
+bool TrackTable::replace(const ValueError& error, MistakeList& mistakes) {
+    const auto is_replaced = [&] {
+        const auto found = std::ranges::find(tracks_, error.name(),
+                                             [](const Entry& entry) { return entry.track.name; });
+        return found != tracks_.end() && found->is_replaced;
+    };
+    if (is_replaced()) return false;
+    mistakes.attempt([&] { fail_at(error); });
+    return replace(error.name());
 }
 
 ValuePlaces TrackTable::stated() const {

@@ -1,6 +1,8 @@
 // Collects every animated value of a scene as a named track, with its place in the file for errors.
 #pragma once
 
+#include <optional>
+
 #include "scene/reading/document.h"
 #include "scene/scene.h"
 #include "scene/value_error.h"
@@ -8,26 +10,40 @@
 
 namespace isomotion::scene {
 
+// What stands in for a value that is wrong, so that reading goes on.
+inline constexpr double stand_in_number = 1;
+inline constexpr std::array<double, 3> stand_in_vector{3, 2, 1};
+
+using VectorSource = std::array<animation::TrackSource, 3>;
+
 class TrackTable {
 public:
-    // `at` may be null for a default, which keeps a place remembered before.
-    TrackId add(const std::string& name, animation::TrackSource source, const toml::node* at);
-    Vec3Track add(const std::string& name, const std::array<animation::TrackSource, 3>& source,
-                  const toml::node* at);
+    // `otherwise`: the value without a source, and in place of one that turns out to be wrong. `at`
+    // may be null for a default, which keeps a place remembered before.
+    TrackId add(const std::string& name, const std::optional<animation::TrackSource>& source,
+                double otherwise, const toml::node* at);
+    Vec3Track add(const std::string& name, const std::optional<VectorSource>& source,
+                  const std::array<double, 3>& otherwise, const toml::node* at);
     Vec3Track add(const std::string& name, double x, double y, double z) {
-        return add(name, std::array<animation::TrackSource, 3>{x, y, z}, nullptr);
+        return add(name, std::nullopt, {x, y, z}, nullptr);
     }
     // Remembers where `name` ("blobs.cx") is defined.
     void place(const std::string& name, const std::string& key, const toml::node* at);
 
     int size() const { return int(tracks_.size()); }
-    const std::vector<animation::Track>& tracks() const { return tracks_; }
+    // Lets a track have this value at all times.
+    void set(TrackId track, double value);
 
-    // Builds the animation. Reports an error in an expression at its place in the file.
-    animation::Animation animate(std::vector<animation::Array> arrays, std::uint64_t seed) const;
+    // Builds the animation. Expressions that are wrong are told, each at its place in the file, and
+    // replaced.
+    animation::Animation animate(std::vector<animation::Array>& arrays, std::uint64_t seed,
+                                 MistakeList& mistakes);
+    // Tells the error at its place, and replaces the value. Returns false where nothing can stand
+    // in for it, or has done so in vain. Throws the error as it is if its place is not known.
+    bool replace(const ValueError& error, MistakeList& mistakes);
+
+    // Throws PlacedError at the value's place if that is known, otherwise SceneError.
     [[noreturn]] void fail_at(const std::string& name, const std::string& message) const;
-    // Throws the error with its place if that is known, otherwise as it is.
-    [[noreturn]] void fail_at(const ValueError& error) const;
     // The places of all values that the file states.
     ValuePlaces stated() const;
 
@@ -36,7 +52,16 @@ private:
         std::string key;
         const toml::node* node = nullptr;
     };
-    std::vector<animation::Track> tracks_;
+    struct Entry {
+        animation::Track track;
+        double otherwise;
+        std::string of_value; // the name of the vector that it is a component of, or its own
+        bool is_replaced = false;
+    };
+    bool replace(const std::string& name);
+    [[noreturn]] void fail_at(const ValueError& error) const;
+
+    std::vector<Entry> tracks_;
     PlacesByName<Place> places_;
 };
 

@@ -123,10 +123,13 @@ TEST_F(Catalogue, MistakesOfTheCatalogueAreTheCatalogues) {
     };
     const std::string file = "animations/surfaces/knot.toml";
     EXPECT_THAT(broken("- m", "- mm"), StartsWith(file + ":3: formula: unknown name 'mm'"));
-    EXPECT_EQ(broken("formula", "formulla"), file + ":1: formula: is missing");
+    EXPECT_EQ(broken("formula", "formulla"),
+              file + ":1: formula: is missing; give the left side of F = 0\n" + file +
+                  ":3: formulla: unknown key; did you mean 'formula'?");
     EXPECT_EQ(broken("title", "titel"), file + ":1: titel: unknown key; did you mean 'title'?");
     EXPECT_EQ(broken("default", "defualt"),
-              file + ":6: parameters.k: needs a default, or keys = [[t, value], ...]");
+              file + ":6: parameters.k.defualt: unknown key; did you mean 'default'?\n" + file +
+                  ":6: parameters.k: needs a default, or keys = [[t, value], ...]");
     EXPECT_EQ(broken("min =", "least ="),
               file + ":6: parameters.k.least: unknown key; known here: default, max, min");
     EXPECT_EQ(broken("max = 20", "max = \"20\""), file + ":6: parameters.k.max: must be a number");

@@ -146,11 +146,14 @@ TEST_F(Gradient, Mistakes) {
     };
     expect("{ top = [0, 0, 0] }", ".bottom: is missing; give [r, g, b]");
     expect("{ bottom = [0, 0, 0] }", ".top: is missing; give [r, g, b]");
-    expect("{}", ".top: is missing; give [r, g, b]");
+    expect("{}", ".top: is missing; give [r, g, b]\n"
+                 "scene.toml:14: output.background.bottom: is missing; give [r, g, b]");
     expect("{ top = [0, 0], bottom = [0, 0, 0] }", ".top: must be [r, g, b] (linear)");
     expect("{ top = \"t\", bottom = [0, 0, 0] }", ".top: must be [r, g, b] (linear)");
     expect("{ top = [0, 0, nan], bottom = [0, 0, 0] }", ".top: must be finite");
-    expect("{ top = [0, 0, 0], botom = [0, 0, 0] }", ".bottom: is missing; give [r, g, b]");
+    expect("{ top = [0, 0, 0], botom = [0, 0, 0] }",
+           ".bottom: is missing; give [r, g, b]\n"
+           "scene.toml:14: output.background.botom: unknown key; did you mean 'bottom'?");
     expect("{ top = [0, 0, 0], bottom = [0, 0, 0], middle = [0, 0, 0] }",
            ".middle: unknown key; known here: bottom, top");
 }

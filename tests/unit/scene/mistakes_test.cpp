@@ -83,6 +83,7 @@ TEST_F(SeveralMistakes, OfOneSection) {
               "{ keys = [[t, [r, g, b]], ...] }\n"
               "scene.toml:10: camera.projection: there is no projection 'flat'; known: "
               "perspective, orthographic\n"
+              "scene.toml:11: camera.height at t = 0: must be above 0, not -3\n"
               "scene.toml:12: camera.zoom at t = 0: must be above 0, not 0");
 }
 
@@ -175,6 +176,39 @@ TEST_F(SeveralMistakes, OfValuesThatWereSetComeFirst) {
     EXPECT_EQ(mistake(ball_with(12, "fob = 40"), {"output.size=3"}),
               "--set: output.size: must be [width, height], integers from 1 to 16384\n"
               "scene.toml:12: camera.fob: unknown key; did you mean 'fov'?");
+}
+
+// Each stage of reading tells what it finds: kinds of values, expressions, values at a time.
+TEST_F(SeveralMistakes, OfAllStagesAtOnce) {
+    EXPECT_EQ(mistake("[surface]\nformula = \"x = a + b\"\n[parameters]\na = \"2*s\"\n"
+                      "b = \"1 +\"\n[camera]\nfov = \"u\"\nzoom = \"t - 1\"\nup = [0, 0, 0]\n"
+                      "target = [\"v\", \"w\", 0]\nposition = 7\n"),
+              "scene.toml:4: parameters.a: unknown name 's'; known: t, a, b, pi\n"
+              "    2*s\n"
+              "      ^\n"
+              "scene.toml:5: parameters.b: the formula ends where a value is expected\n"
+              "    1 +\n"
+              "       ^\n"
+              "scene.toml:7: camera.fov: unknown name 'u'; known: t, a, b, pi\n"
+              "    u\n"
+              "    ^\n"
+              "scene.toml:8: camera.zoom at t = 0: must be above 0, not -1\n"
+              "scene.toml:9: camera.up.x at t = 0: `up` has no direction\n"
+              "scene.toml:10: camera.target.x: unknown name 'v'; known: t, a, b, pi\n"
+              "    v\n"
+              "    ^\n"
+              "scene.toml:11: camera.position: must be [x, y, z] or { keys = [[t, [x, y, z]], ...] "
+              "}");
+}
+
+// Formulas and colours may name what a wrong array would have had; all else is read.
+TEST_F(SeveralMistakes, OfAnArrayHideThoseOfFormulas) {
+    EXPECT_EQ(mistake(blobs("count = -1\ncx = 1") +
+                      "\n[camera]\nzoom = 0\n[material]\n"
+                      "color = [\"least(blobs, cx, cx)\", 0, 0]\nmodel = \"ggx\"\nshininess = 1\n"),
+              "scene.toml:5: arrays.blobs.count: must be an integer from 0 to 1000000\n"
+              "scene.toml:13: material.shininess: shininess is of model blinn-phong; this one is "
+              "ggx");
 }
 
 // Reading a scene without bounds, its document is changed: places stay.
