@@ -94,13 +94,8 @@ std::size_t surface_named(const Scene& scene, const std::string& name, const std
 }
 
 std::string place_of(const OneSurface& one, const std::string& name) {
-    const Surface& surface = one.surface;
-    StatedAt at = stated_at(surface.value_places.get(), one.scene.file.string(), name);
-    const std::string& label = surface.label;
-    if (label.empty()) return fmt::format("{}: {}", at.position, at.key);
-    constexpr std::string_view of_one = "surface.";
-    if (at.key.starts_with(of_one)) at.key.erase(0, of_one.size());
-    return fmt::format("{}: surfaces.{}.{}", at.position, label, at.key);
+    const StatedAt at = stated_at(one.surface.value_places.get(), one.scene.file.string(), name);
+    return fmt::format("{}: {}", at.position, at.key);
 }
 
 Isolation changed_alike(Isolation other, const Isolation& before, const Isolation& now) {

@@ -27,7 +27,10 @@ PlaceOfValue<Place> place_of_value(const PlacesByName<Place>& places, const std:
     const auto whole = places.find(name);
     if (is_found(whole)) return {&whole->second, {}, {}};
     const auto part = places.lower_bound(name + ".");
-    if (is_found(part) && part->first.starts_with(name + ".")) return {&part->second, name, {}};
+    if (is_found(part) && part->first.starts_with(name + ".")) {
+        const std::string& key = part->second.key;
+        return {&part->second, key.substr(0, key.size() - (part->first.size() - name.size())), {}};
+    }
     const auto field = places.find(name.substr(0, name.find_last_of('[')));
     if (is_found(field)) return {&field->second, {}, name.substr(field->first.size())};
     return {};

@@ -31,10 +31,15 @@ animation::FieldSource read_field(const toml::node& node, const std::string& key
 // One array as its tables write it, not yet understood.
 struct ArrayNodes {
     const toml::node* place = nullptr;
+    std::string key; // of the array, for messages
     const toml::node* count = nullptr;
-    const toml::table* data = nullptr; // the table that names a file
-    std::vector<std::string> order;    // of the fields
-    std::map<std::string, const toml::node*> fields;
+    std::optional<Section> data; // where a file is named
+    struct Field {
+        const toml::node* node = nullptr;
+        std::string key;
+    };
+    std::vector<std::string> order; // of the fields
+    std::map<std::string, Field> fields;
 };
 
 bool is_of_the_file(const std::string& name) {
@@ -42,26 +47,27 @@ bool is_of_the_file(const std::string& name) {
            name == "extrapolate" || name == "outside" || name == "first_file";
 }
 
-void gather(const toml::table& table, const std::string& key, ArrayNodes& nodes,
-            MistakeList& mistakes) {
-    nodes.place = &table;
-    if (table.contains("file")) {
-        nodes.data = &table;
+void gather(Section section, ArrayNodes& nodes) {
+    nodes.place = &section.table();
+    nodes.key = section.key();
+    if (section.has("file")) {
+        nodes.data = section;
         nodes.count = nullptr;
         std::erase_if(nodes.order, [&](const std::string& field) {
-            return nodes.fields.at(field)->is_array() && nodes.fields.erase(field);
+            return nodes.fields.at(field).node->is_array() && nodes.fields.erase(field);
         });
     }
-    for (const auto& [name_key, node] : table) {
-        const std::string name(name_key.str());
+    for (const std::string& name : section.names()) {
+        const toml::node& node = *section.find(name);
+        const std::string key = section.dotted(name);
         if (name == "count") {
             nodes.count = &node;
             continue;
         }
-        if (nodes.data == &table && is_of_the_file(name)) continue;
-        if (!mistakes.attempt([&] { check_name(name, node, key + "." + name); })) continue;
+        if (section.has("file") && is_of_the_file(name)) continue;
+        if (!section.mistakes().attempt([&] { check_name(name, node, key); })) continue;
         if (!nodes.fields.count(name)) nodes.order.push_back(name);
-        nodes.fields[name] = &node;
+        nodes.fields[name] = {&node, key};
     }
 }
 
@@ -73,9 +79,9 @@ int read_count(const toml::node& node, const std::string& key) {
     return int(*count);
 }
 
-TableOptions read_data(const ArrayNodes& nodes, const std::string& key,
-                       const base::Confines& within, MistakeList& mistakes) {
-    Section section(*nodes.data, key, mistakes);
+TableOptions read_data(const ArrayNodes& nodes, const base::Confines& within) {
+    Section section = *nodes.data;
+    const std::string& key = nodes.key;
     TableOptions options;
     options.most = nodes.count ? read_count(*nodes.count, key + ".count") : limits::elements;
     options.counts_files = !nodes.count;
@@ -158,17 +164,15 @@ private:
 };
 
 // Frames beyond the data would show its ends, standing still.
-void check_times(const toml::table& table, const std::string& key, const TableOptions& options,
-                 const ElementTable& read, const animation::Timeline& timeline,
-                 MistakeList& mistakes) {
-    Section section(table, key, mistakes);
+void check_times(Section section, const TableOptions& options, const ElementTable& read,
+                 const animation::Timeline& timeline) {
     const auto extrapolate = section.text("extrapolate");
     if (extrapolate && *extrapolate != "hold") {
         section.tell("extrapolate",
                      fmt::format("must be hold: the first and the last elements stay, not '{}'",
                                  *extrapolate));
     }
-    if (!mistakes.empty()) return; // the scene's frames may be other ones
+    if (!section.mistakes().empty()) return; // the scene's frames may be other ones
     const animation::ElementSamples& samples = *read.samples;
     if (extrapolate || samples.first_time() == samples.last_time()) return;
     const char* first_file =
@@ -188,25 +192,26 @@ void check_times(const toml::table& table, const std::string& key, const TableOp
 }
 
 // The columns of a file become fields; a field that the scene writes itself goes before.
-void add_data(const ArrayNodes& nodes, const std::string& key, const TableOptions& options,
-              Tables& tables, TrackTable& tracks, animation::Array& array, MistakeList& mistakes) {
+void add_data(const ArrayNodes& nodes, const TableOptions& options, Tables& tables,
+              TrackTable& tracks, animation::Array& array) {
     const ElementTable& table = tables.read(options);
-    check_times(*nodes.data, key, options, table, tables.timeline(), mistakes);
+    check_times(*nodes.data, options, table, tables.timeline());
     array.samples = table.samples;
     array.count = nodes.count ? options.most : table.samples->most();
     for (std::size_t k = 0; k < table.fields.size(); ++k) {
         const std::string& field = table.fields[k];
         if (nodes.fields.count(field)) continue;
         array.fields.push_back({field, animation::Column{k}});
-        tracks.place(array.name + "." + field, key + ".file", nodes.data->get("file"));
+        Section data = *nodes.data;
+        tracks.place(array.name + "." + field, data.dotted("file"), data.find("file"));
     }
 }
 
 // A field; one that is wrong is told, and has a number that stands in for it.
 void add_field(const std::string& name, const ArrayNodes& nodes, TrackTable& tracks,
                animation::Array& array, MistakeList& mistakes) {
-    const toml::node& node = *nodes.fields.at(name);
-    const std::string key = fmt::format("arrays.{}.{}", array.name, name);
+    const auto& [place, key] = nodes.fields.at(name);
+    const toml::node& node = *place;
     animation::FieldSource source = stand_in_number;
     mistakes.attempt([&] {
         animation::FieldSource read = read_field(node, key);
@@ -232,9 +237,9 @@ animation::Array make_array(const std::string& name, const ArrayNodes& nodes,
                             MistakeList& mistakes) {
     animation::Array array;
     array.name = name;
-    const std::string key = "arrays." + name;
+    const std::string& key = nodes.key;
     if (data) {
-        add_data(nodes, key, *data, tables, tracks, array, mistakes);
+        add_data(nodes, *data, tables, tracks, array);
     } else {
         if (!nodes.count) {
             fail(*nodes.place, key,
@@ -259,17 +264,18 @@ struct GatheredArrays {
 };
 
 // Throws PlacedError where an array is wrong as a whole.
-GatheredArrays gathered(Section* catalogue, Section& document) {
+GatheredArrays gathered(Section* catalogue, Section& sections) {
     GatheredArrays all;
-    for (Section* from : {catalogue, &document}) {
+    for (Section* from : {catalogue, &sections}) {
         auto section = from ? from->section("arrays") : std::nullopt;
         if (!section) continue;
-        for (const auto& [name_key, node] : section->table()) {
-            const std::string name(name_key.str()), key = section->dotted(name);
+        for (const std::string& name : section->names()) {
+            const toml::node& node = *section->find(name);
+            const std::string key = section->dotted(name);
             check_name(name, node, key);
             if (!node.is_table()) fail(node, key, fmt::format("must be a table: [{}]", key));
             if (!all.nodes.count(name)) all.names.push_back(name);
-            gather(*node.as_table(), key, all.nodes[name], document.mistakes());
+            gather(*section->merged_section(name), all.nodes[name]);
         }
     }
     if (all.names.size() > std::size_t(formula::max_arrays)) {
@@ -281,13 +287,13 @@ GatheredArrays gathered(Section* catalogue, Section& document) {
 
 } // namespace
 
-bool read_arrays(Section* catalogue, Section& document, const animation::Timeline& timeline,
+bool read_arrays(Section* catalogue, Section& sections, const animation::Timeline& timeline,
                  TrackTable& tracks, const base::Confines& within,
                  std::vector<animation::Array>& arrays) {
-    MistakeList& mistakes = document.mistakes();
+    MistakeList& mistakes = sections.mistakes();
     GatheredArrays all;
-    if (!mistakes.attempt([&] { all = gathered(catalogue, document); })) return false;
-    if (document.is_wrong("arrays")) return false;
+    if (!mistakes.attempt([&] { all = gathered(catalogue, sections); })) return false;
+    if (sections.is_wrong("arrays")) return false;
     Tables tables(timeline);
     std::map<std::string, TableOptions> data;
     const std::size_t told = mistakes.size();
@@ -295,7 +301,7 @@ bool read_arrays(Section* catalogue, Section& document, const animation::Timelin
         const ArrayNodes& nodes = all.nodes[name];
         if (!nodes.data) continue;
         mistakes.attempt([&] {
-            data[name] = read_data(nodes, "arrays." + name, within, mistakes);
+            data[name] = read_data(nodes, within);
             tables.add(data[name]);
         });
     }

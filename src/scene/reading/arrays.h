@@ -13,7 +13,7 @@ namespace isomotion::scene {
 // scene names replaces the catalogue's lists. Remembers the place of every field. Returns false
 // where an array is wrong as a whole, so that not all names of formulas are known; what is wrong is
 // told.
-bool read_arrays(Section* catalogue, Section& document, const animation::Timeline& timeline,
+bool read_arrays(Section* catalogue, Section& sections, const animation::Timeline& timeline,
                  TrackTable& tracks, const base::Confines& within,
                  std::vector<animation::Array>& arrays);
 

@@ -96,7 +96,7 @@ ColorParts read_color(const toml::node& node, const std::string& key, const Surf
         color.of_place[k] = expression->text;
         sources[k] = 0.0;
     }
-    color.tracks = tracks.add(key, sources, stand_in_vector, &node);
+    color.tracks = tracks.add("material.color", sources, stand_in_vector, &node, key);
     color.node = &node;
     color.key = key;
     return color;

@@ -131,48 +131,73 @@ std::array<animation::TrackSource, 3> read_vector(const toml::node& node, const 
                   : "must be [x, y, z] or { keys = [[t, [x, y, z]], ...] }");
 }
 
-// The former name of a key, where the table has it under that alone.
-std::string Section::written(const std::string& name) const {
-    const RenamedKey* key = renamed_key(key_, name);
-    const bool is_former = key && name == key->now && !table_->contains(name);
-    return is_former && table_->contains(key->before) ? std::string(key->before) : name;
+// The name under which a table has the key: the former one, where it has it under that alone.
+std::string Section::written(const Layer& layer, const std::string& name) const {
+    const RenamedKey* key = renamed_key(name_, name);
+    const bool is_former = key && name == key->now && !layer.table->contains(name);
+    return is_former && layer.table->contains(key->before) ? std::string(key->before) : name;
+}
+
+const Section::Layer* Section::layer_with(const std::string& name) const {
+    const auto found = std::ranges::find_if(
+        layers_, [&](const Layer& layer) { return layer.table->contains(written(layer, name)); });
+    return found == layers_.end() ? nullptr : &*found;
+}
+
+std::vector<std::string> Section::names() const {
+    std::set<std::string> names;
+    for (const Layer& layer : layers_) {
+        for (const auto& [name, node] : *layer.table) names.emplace(name.str());
+    }
+    return {names.begin(), names.end()};
 }
 
 std::string Section::dotted(const std::string& given) const {
-    const std::string name = written(given);
+    const Layer* found = layer_with(given);
+    const Layer& layer = found ? *found : layers_.front();
+    const std::string name = written(layer, given);
     const bool bare = std::ranges::all_of(name, [](unsigned char c) {
         return ('a' <= c && c <= 'z') || ('A' <= c && c <= 'Z') || ('0' <= c && c <= '9') ||
                c == '_' || c == '-' || c >= 0x80;
     });
     // Written as in TOML, so that a line end in a key does not break the message.
     const std::string key = bare ? name : fmt::format("{:?}", name);
-    return key_.empty() ? key : key_ + "." + key;
+    return layer.key.empty() ? key : layer.key + "." + key;
+}
+
+std::string Section::full_name(const std::string& name) const {
+    return name_.empty() ? name : name_ + "." + name;
 }
 
 const toml::node* Section::find(const std::string& name) {
     known_.insert(name);
-    const RenamedKey* key = renamed_key(key_, name);
-    const toml::node* former = key && name == key->now ? table_->get(key->before) : nullptr;
-    if (former && table_->contains(name) && !is_wrong(name)) {
+    const Layer* layer = layer_with(name);
+    if (!layer) return nullptr;
+    const RenamedKey* key = renamed_key(name_, name);
+    const toml::node* former = key && name == key->now ? layer->table->get(key->before) : nullptr;
+    if (former && layer->table->contains(name) && !is_wrong(name)) {
         attempt(name, [&] {
-            fail(*former, fmt::format("{}.{}", key_, key->before),
-                 fmt::format("is the former name of {}.{}, which is given too; keep one", key_,
-                             name));
+            fail(*former, fmt::format("{}.{}", layer->key, key->before),
+                 fmt::format("is the former name of {}.{}, which is given too; keep one",
+                             layer->key, name));
         });
     }
-    return table_->get(written(name));
+    return layer->table->get(written(*layer, name));
 }
 
 void Section::tell(const std::string& message) {
-    mistakes_->attempt([&] { fail(*table_, key_, message); });
+    mistakes_->attempt([&] { fail(table(), key(), message); });
 }
 
 void Section::tell(const std::string& name, const std::string& message) {
-    attempt(name, [&] { fail(*table_->get(written(name)), dotted(name), message); });
+    attempt(name, [&] {
+        const Layer& layer = *layer_with(name);
+        fail(*layer.table->get(written(layer, name)), dotted(name), message);
+    });
 }
 
 void Section::tell_missing(const std::string& name, const std::string& what) {
-    attempt(name, [&] { fail(*table_, dotted(name), fmt::format("is missing; give {}", what)); });
+    attempt(name, [&] { fail(table(), dotted(name), fmt::format("is missing; give {}", what)); });
 }
 
 template<class Read>
@@ -183,12 +208,31 @@ auto Section::value(const std::string& name, Read&& read)
     return value;
 }
 
+std::optional<Section> Section::section_of(const std::string& name, bool merges) {
+    if (!find(name)) return std::nullopt;
+    std::vector<Layer> layers;
+    for (const Layer& layer : layers_) {
+        const std::string key = written(layer, name);
+        const toml::node* node = layer.table->get(key);
+        if (!node || (!merges && !layers.empty())) continue;
+        const std::string its_name = layer.key.empty() ? key : layer.key + "." + key;
+        if (node->is_table()) {
+            layers.push_back({node->as_table(), its_name});
+        } else if (!is_wrong(name)) {
+            attempt(name,
+                    [&] { fail(*node, its_name, fmt::format("must be a table: [{}]", its_name)); });
+        }
+    }
+    if (layers.empty()) return std::nullopt;
+    return Section(std::move(layers), full_name(name), *mistakes_);
+}
+
 std::optional<Section> Section::section(const std::string& name) {
-    const toml::node* node = find(name);
-    if (!node) return std::nullopt;
-    if (node->is_table()) return Section(*node->as_table(), dotted(name), *mistakes_);
-    if (!is_wrong(name)) tell(name, fmt::format("must be a table: [{}]", dotted(name)));
-    return std::nullopt;
+    return section_of(name, name_.empty());
+}
+
+std::optional<Section> Section::merged_section(const std::string& name) {
+    return section_of(name, true);
 }
 
 std::vector<Section> Section::list(const std::string& name, const char* one, int most) {
@@ -202,8 +246,8 @@ std::vector<Section> Section::list(const std::string& name, const char* one, int
         tell(name, fmt::format("at most {}", most));
     } else {
         for (const toml::node& table : *list) {
-            sections.emplace_back(*table.as_table(), fmt::format("{}[{}]", name, sections.size()),
-                                  *mistakes_);
+            sections.emplace_back(*table.as_table(),
+                                  fmt::format("{}[{}]", dotted(name), sections.size()), *mistakes_);
         }
     }
     return sections;
@@ -259,17 +303,16 @@ std::optional<std::array<animation::TrackSource, 3>> Section::vector(const std::
 bool Section::refuse_rest() {
     // The present name of a key, for what somebody may have meant.
     const auto present = [&](const std::string& name) {
-        const RenamedKey* key = renamed_key(key_, name);
+        const RenamedKey* key = renamed_key(name_, name);
         return key ? std::string(key->now) : name;
     };
     const std::vector<std::string> known(known_.begin(), known_.end());
     std::vector<std::string> meant = known;
     for (const std::string& name : known) {
-        if (const RenamedKey* key = renamed_key(key_, name)) meant.emplace_back(key->before);
+        if (const RenamedKey* key = renamed_key(name_, name)) meant.emplace_back(key->before);
     }
     bool is_all_known = true;
-    for (const auto& [name, node] : *table_) {
-        const std::string key(name.str());
+    for (const std::string& key : names()) {
         if (known_.count(present(key))) continue;
         is_all_known = false;
         if (mistakes_->is_full()) break;

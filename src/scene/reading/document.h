@@ -28,24 +28,41 @@ std::string position(const toml::node& node);
 // Throws PlacedError: "file:line: key: message".
 [[noreturn]] void fail(const toml::node& at, const std::string& key, const std::string& message);
 
-// One table of a document; `key` is its dotted name. Its keys are read one by one. A value of the
-// wrong kind is told in the list of mistakes, and counts as absent. refuse_rest tells of keys that
-// were not read, each with the nearest known name.
+// A part of a scene that is read key by key: a table of the document, or several of which the first
+// that has a key counts, such as a surface's own material and the one that all surfaces share.
+//
+// A value of the wrong kind is told in the list of mistakes, and counts as absent. refuse_rest
+// tells of keys that were not read, each with the nearest known name.
 class Section {
 public:
-    Section(const toml::table& table, std::string key, MistakeList& mistakes)
-        : table_(&table)
-        , key_(std::move(key))
+    // A table, and its dotted name as messages call it.
+    struct Layer {
+        const toml::table* table;
+        std::string key;
+    };
+
+    // `name`: dotted, as a scene of one surface has it: "material.contours".
+    Section(std::vector<Layer> layers, std::string name, MistakeList& mistakes)
+        : layers_(std::move(layers))
+        , name_(std::move(name))
         , mistakes_(&mistakes) {}
+    Section(const toml::table& table, const std::string& name, MistakeList& mistakes)
+        : Section(std::vector<Layer>{{&table, name}}, name, mistakes) {}
 
     // Also finds a key under its former name (renamed_keys.h).
     const toml::node* find(const std::string& name);
-    bool has(const std::string& name) const { return table_->contains(written(name)); }
-    const toml::table& table() const { return *table_; }
-    const std::string& key() const { return key_; }
+    bool has(const std::string& name) const { return layer_with(name) != nullptr; }
+    // Its keys, sorted.
+    std::vector<std::string> names() const;
+    // The table that messages about all of it are about.
+    const toml::table& table() const { return *layers_.front().table; }
+    const std::vector<Layer>& layers() const { return layers_; }
+    const std::string& key() const { return layers_.front().key; }
     MistakeList& mistakes() const { return *mistakes_; }
     // The key as the document writes it, for messages.
     std::string dotted(const std::string& name) const;
+    // Its name whichever table has it, for tracks.
+    std::string full_name(const std::string& name) const;
 
     // Tells a mistake of the table, or of one of its keys, which must be there.
     void tell(const std::string& message);
@@ -59,7 +76,10 @@ public:
         if (!mistakes_->attempt(std::forward<Read>(read))) wrong_.insert(name);
     }
 
+    // A section of the first table that has it; of the document, of all tables.
     std::optional<Section> section(const std::string& name);
+    // The sections of that name of all tables.
+    std::optional<Section> merged_section(const std::string& name);
     // The tables of [[name]], each a section "name[k]"; empty if there is none. `one`: what a table
     // is.
     std::vector<Section> list(const std::string& name, const char* one, int most);
@@ -74,14 +94,16 @@ public:
     bool refuse_rest();
 
 private:
-    std::string written(const std::string& name) const;
+    std::string written(const Layer& layer, const std::string& name) const;
+    const Layer* layer_with(const std::string& name) const;
+    std::optional<Section> section_of(const std::string& name, bool merges);
     // What read(node) gives for the key, if it is there and right.
     template<class Read>
     auto value(const std::string& name, Read&& read)
         -> std::optional<decltype(read(std::declval<const toml::node&>()))>;
 
-    const toml::table* table_;
-    std::string key_;
+    std::vector<Layer> layers_; // at least one
+    std::string name_;
     MistakeList* mistakes_;
     std::set<std::string> known_, wrong_;
 };

@@ -5,8 +5,8 @@
 
 namespace isomotion::scene {
 
-void read_isolation(Section& document, Isolation& isolation, GivenThresholds& given) {
-    auto section = document.section("isolation");
+void read_isolation(Section& sections, Isolation& isolation, GivenThresholds& given) {
+    auto section = sections.section("isolation");
     if (!section) return;
     read_keys(keys::isolation_keys, *section, isolation);
     given.step |= section->has("step");

@@ -12,6 +12,6 @@ struct GivenThresholds {
 };
 
 // Call it for the catalogue's settings first, then for the scene's own, which go before these.
-void read_isolation(Section& document, Isolation& isolation, GivenThresholds& given);
+void read_isolation(Section& sections, Isolation& isolation, GivenThresholds& given);
 
 } // namespace isomotion::scene

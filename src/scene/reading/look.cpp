@@ -8,7 +8,6 @@
 #include "base/nearest_name.h"
 #include "scene/data_folder.h"
 #include "scene/reading/document.h"
-#include "scene/renamed_keys.h"
 
 namespace isomotion::scene {
 namespace {
@@ -25,9 +24,9 @@ toml::table read_look_file(const toml::node& at, const std::string& name) {
                      fmt::join(known, ", ")));
 }
 
-bool has(const toml::table& document, std::string_view section, std::string_view key) {
-    const toml::table* table = document[section].as_table();
-    return table && table->contains(key);
+bool has(Section& document, const char* name, const char* key) {
+    const auto section = document.section(name);
+    return section && section->has(key);
 }
 
 void take_out(toml::table& look, std::string_view section,
@@ -38,50 +37,58 @@ void take_out(toml::table& look, std::string_view section,
 }
 
 // Leaves out of a look what would contradict the scene.
-void leave_out(toml::table& look, const toml::table& document) {
+void leave_out(toml::table& look, Section& document) {
     if (has(document, "material", "model"))
         take_out(look, "material", {"model", "shininess", "specular", "roughness", "metallic"});
-    if (document.contains("environment") || has(document, "output", "background")) {
+    if (document.has("environment") || has(document, "output", "background")) {
         take_out(look, "output", {"background"});
         look.erase("environment");
     }
 }
 
-bool says(const toml::table& table, std::string_view section, const std::string& name) {
-    const RenamedKey* key = renamed_key(section, name);
-    return table.contains(name) ||
-           (key && (table.contains(key->now) || table.contains(key->before)));
-}
-
 } // namespace
 
-NamedLook put_look(toml::table& document) {
-    const toml::node* node = document.get("look");
-    if (!node) return {};
-    const auto name = node->value_exact<std::string>();
-    if (!name) fail(*node, "look", "must be a text in quotes, as \"studio\"");
+NamedLook look_below(Section& document, const toml::node* named, toml::table& look) {
+    if (!named) return {};
+    const auto name = named->value_exact<std::string>();
+    if (!name) fail(*named, "look", "must be a text in quotes, as \"studio\"");
     if (*name == no_look) return {};
-    toml::table look = read_look_file(*node, *name);
+    look = read_look_file(*named, *name);
     look.erase("title");
     leave_out(look, document);
     NamedLook put{*name};
+    for (const auto& [section, value] : look) {
+        const std::string key(section.str());
+        const toml::table* table = value.as_table();
+        if (!document.has(key)) {
+            if (!table || !table->empty()) put.keys.push_back(key);
+            continue;
+        }
+        const auto own = table ? document.section(key) : std::nullopt;
+        if (!own) continue;
+        for (const auto& [part, setting] : *table) {
+            if (!own->has(std::string(part.str())))
+                put.keys.push_back(key + "." + std::string(part.str()));
+        }
+    }
+    return put;
+}
+
+void put_under(toml::table& document, toml::table look) {
+    MistakeList none;
     for (auto& [section, value] : look) {
         const std::string key(section.str());
         toml::table* own = document[key].as_table();
         toml::table* from = value.as_table();
         if (!document.contains(key) && !(from && from->empty())) {
-            document.insert(key, std::move(value)); // moved nodes keep their place in the file
-            put.keys.push_back(key);
+            document.insert(key, std::move(value));
         } else if (own && from) {
-            for (auto& [name_key, setting] : *from) {
-                const std::string part(name_key.str());
-                if (says(*own, key, part)) continue;
-                own->insert(part, std::move(setting));
-                put.keys.push_back(key + "." + part);
+            for (auto& [part, setting] : *from) {
+                const bool is_said = Section(*own, key, none).has(std::string(part.str()));
+                if (!is_said) own->insert(part, std::move(setting));
             }
         }
     }
-    return put;
 }
 
 } // namespace isomotion::scene

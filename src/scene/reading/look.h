@@ -3,14 +3,19 @@
 
 #include <toml++/toml.h>
 
+#include "scene/reading/document.h"
 #include "scene/scene.h"
 
 namespace isomotion::scene {
 
-// Adds to a scene's document the settings of the look that it names where the scene doesn't have
-// its own, and returns which. A section is filled in key by key. Lights are replaced as a whole,
-// and so are keys that belong together: a model with its values, a background or an environment.
-// Without a look the document is unchanged. Throws SceneError if there is no such look.
-NamedLook put_look(toml::table& document);
+// Puts into `look` the settings of the look that a scene names, and returns its name and those of
+// its keys that the scene doesn't have itself. The look's file is read below the document: sections
+// key by key, lights as a whole. Keys that belong together are left out where the document has one:
+// a model with its values, a background or an environment. Throws PlacedError if there is no such
+// look.
+NamedLook look_below(Section& document, const toml::node* named, toml::table& look);
+
+// Adds the settings to the document where it has none itself.
+void put_under(toml::table& document, toml::table look);
 
 } // namespace isomotion::scene

@@ -84,13 +84,13 @@ void read_glass(Section& section, Material& material, TrackTable& tracks) {
 
 } // namespace
 
-MaterialParts read_material(Section& document, SurfaceParts& parts, TrackTable& tracks) {
+MaterialParts read_material(Section& sections, SurfaceParts& parts, TrackTable& tracks) {
     MaterialParts read;
     Material& material = parts.surface.material;
-    auto own = document.section("material");
+    auto own = sections.section("material");
     std::optional<Section> catalogue;
     if (parts.catalogue)
-        catalogue = Section(*parts.catalogue, "", document.mistakes()).section("material");
+        catalogue = Section(*parts.catalogue, "", sections.mistakes()).section("material");
     read_colors(own, catalogue, parts, read, tracks);
     if (catalogue) {
         pass_over(keys::color_keys, *catalogue);

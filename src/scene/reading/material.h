@@ -17,7 +17,7 @@ struct MaterialParts {
 
 // Reads the section into the surface, without its expressions, and adds its tracks. The catalogue
 // provides colours that the scene leaves out; a model and its values come only from the scene.
-MaterialParts read_material(Section& document, SurfaceParts& surface, TrackTable& tracks);
+MaterialParts read_material(Section& sections, SurfaceParts& surface, TrackTable& tracks);
 
 // Compiles the material's expressions with the names of the surface. Mistakes in them are told.
 void make_paints(const MaterialParts& parts, SurfaceParts& surface, MistakeList& mistakes);

@@ -35,7 +35,7 @@ bool has_text(const toml::node& node) {
 PlacedError::PlacedError(const toml::node& at, const std::string& message)
     : SceneError(message)
     , line_(at.source().begin.line)
-    , may_name_others_(has_text(at)) {}
+    , may_name_others_(at.is_table() || has_text(at)) {}
 
 Mistakes::Mistakes(std::vector<ToldMistake> told)
     : SceneError(text_of(by_line(told)))

@@ -18,7 +18,8 @@ public:
     PlacedError(const toml::node& at, const std::string& message);
 
     unsigned line() const { return line_; } // 0 for a value of --set
-    // Whether the wrong value may name parameters, which then only seem to be used by nothing.
+    // Whether the wrong value, or what a table lacks, may name parameters, which then only seem to
+    // be used by nothing.
     bool may_name_others() const { return may_name_others_; }
 
 private:

@@ -164,29 +164,4 @@ void override_key(toml::table& document, const std::string& setting) {
     table->insert_or_assign(last, *parsed.get("value"));
 }
 
-std::string as_set(std::string message, const std::vector<std::string>& settings,
-                   const std::string& name, std::size_t index) {
-    constexpr std::string_view place = "--set: ";
-    if (!message.starts_with(place)) return message;
-    const std::string key =
-        message.substr(place.size(), message.find(": ", place.size()) - place.size());
-    for (const std::string& setting : settings) {
-        const std::string path = setting.substr(0, setting.find('='));
-        for (const std::string& called : {name, std::to_string(index + 1)}) {
-            const std::string start = fmt::format("surfaces.{}.", called);
-            if (!path.starts_with(start)) continue;
-            const std::string section = section_of(path.substr(0, path.rfind('.')));
-            const std::string own = fmt::format("{}{}", section, path.substr(path.rfind('.')));
-            const bool is_it =
-                key == own || key.starts_with(own + ".") || own.starts_with(key + ".");
-            if (!is_it) continue;
-            constexpr std::string_view of_one = "surface.";
-            message.insert(place.size(), start);
-            if (key.starts_with(of_one)) message.erase(place.size() + start.size(), of_one.size());
-            return message;
-        }
-    }
-    return message;
-}
-
 } // namespace isomotion::scene

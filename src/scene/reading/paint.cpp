@@ -32,8 +32,9 @@ void read_range(Section& section, PaintParts& parts, TrackTable& tracks) {
             high = read_track(*ends->get(1), key + ".high");
         });
     }
-    parts.paint.low = tracks.add(key + ".low", low, 0, range);
-    parts.paint.high = tracks.add(key + ".high", high, 1, range);
+    const std::string name = section.full_name("range");
+    parts.paint.low = tracks.add(name + ".low", low, 0, range, key + ".low");
+    parts.paint.high = tracks.add(name + ".high", high, 1, range, key + ".high");
 }
 
 } // namespace

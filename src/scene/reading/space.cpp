@@ -11,7 +11,7 @@ namespace {
 
 void read_box(Section& section, Bounds& bounds, TrackTable& tracks) {
     bounds.shape = Bounds::Shape::box;
-    const std::string key = "surface.bounds.box";
+    const std::string name = section.full_name("box"), key = section.dotted("box");
     std::array<std::optional<VectorSource>, 2> corners;
     const toml::array* given = section.find("box")->as_array();
     section.attempt("box", [&] {
@@ -20,9 +20,10 @@ void read_box(Section& section, Bounds& bounds, TrackTable& tracks) {
         for (std::size_t k = 0; k < 2; ++k)
             corners[k] = read_vector(*given->get(k), fmt::format("{}[{}]", key, k));
     });
-    const auto corner = [&](std::size_t k, const char* name, double otherwise) {
+    const auto corner = [&](std::size_t k, const char* end, double otherwise) {
         const toml::node* node = section.is_wrong("box") ? nullptr : given->get(k);
-        return tracks.add(key + name, corners[k], {otherwise, otherwise, otherwise}, node);
+        return tracks.add(name + end, corners[k], {otherwise, otherwise, otherwise}, node,
+                          key + end);
     };
     bounds.min = corner(0, ".min", -1);
     bounds.max = corner(1, ".max", 1);
@@ -38,9 +39,10 @@ std::optional<Section> given_bounds(Section& surface, SurfaceParts& parts) {
     auto given = surface.section("bounds");
     if (!surface.has("bounds") && parts.catalogue)
         given = Section(*parts.catalogue, "", surface.mistakes()).section("bounds");
+    if (!given) return std::nullopt;
     // Their tracks have one name.
-    if (given) return Section(given->table(), "surface.bounds", surface.mistakes());
-    return std::nullopt;
+    return Section(std::vector<Section::Layer>{{&given->table(), parts.bounds_key}},
+                   "surface.bounds", surface.mistakes());
 }
 
 void read_bounds(Section& surface, SurfaceParts& parts, TrackTable& tracks) {
@@ -76,7 +78,9 @@ void read_space(Section& surface, SurfaceParts& parts, TrackTable& tracks) {
     const toml::table none;
     auto place = surface.section("transform");
     Section transform =
-        place ? *place : Section(none, surface.dotted("transform"), surface.mistakes());
+        place ? *place
+              : Section(std::vector<Section::Layer>{{&none, surface.dotted("transform")}},
+                        "surface.transform", surface.mistakes());
     read_keys(keys::transform_keys, transform, parts.surface.placement, tracks);
     transform.refuse_rest();
 }

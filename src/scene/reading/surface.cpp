@@ -21,6 +21,7 @@ namespace {
 struct Parameter {
     std::optional<animation::TrackSource> source; // none if it is wrong
     const toml::node* node = nullptr;
+    std::string key;
     Range range;
 };
 
@@ -28,9 +29,10 @@ struct Parameter {
 // keeps the surface's range.
 Parameter read_parameter(Section& parameters, const std::string& name, const Range& known) {
     const toml::node& node = *parameters.find(name);
+    const std::string key = parameters.dotted(name);
     const toml::table* table = node.as_table();
-    if (!table || table->contains("keys")) return {parameters.track(name), &node, known};
-    Section section(*table, parameters.dotted(name), parameters.mistakes());
+    if (!table || table->contains("keys")) return {parameters.track(name), &node, key, known};
+    Section section(*table, key, parameters.mistakes());
     Range range = known;
     range.least = section.number("min", -1e30, 1e30).value_or(range.least);
     range.most = section.number("max", -1e30, 1e30).value_or(range.most);
@@ -45,18 +47,18 @@ Parameter read_parameter(Section& parameters, const std::string& name, const Ran
         section.tell("default",
                      fmt::format("must be from min = {} to max = {}", range.least, range.most));
     }
-    return {source, &node, range};
+    return {source, &node, key, range};
 }
 
 // Parameters in the order of first mention: the catalogue's, then the scene's own.
-void read_parameters(Section& document, SurfaceParts& parts, TrackTable& tracks) {
+void read_parameters(Section& sections, SurfaceParts& parts, TrackTable& tracks) {
     std::map<std::string, Parameter> found;
     const auto read = [&](Section& from) {
         auto section = from.section("parameters");
         if (!section) return;
         // toml++ keeps tables sorted by key: the order is the same for every run.
-        for (const auto& [name_key, node] : section->table()) {
-            const std::string name(name_key.str());
+        for (const std::string& name : section->names()) {
+            const toml::node& node = *section->find(name);
             section->attempt(name, [&] { check_name(name, node, section->dotted(name)); });
             if (section->is_wrong(name)) continue;
             if (parts.parameters.size() == std::size_t(limits::parameters) && !found.count(name)) {
@@ -70,13 +72,13 @@ void read_parameters(Section& document, SurfaceParts& parts, TrackTable& tracks)
         }
     };
     if (parts.catalogue) {
-        Section catalogue(*parts.catalogue, "", document.mistakes());
+        Section catalogue(*parts.catalogue, "", sections.mistakes());
         read(catalogue);
     }
-    read(document);
+    read(sections);
     for (const std::string& name : parts.parameters) {
         tracks.add(name, found[name].source, stand_in_number, found[name].node);
-        tracks.place(name, "parameters." + name, found[name].node);
+        tracks.place(name, found[name].key, found[name].node);
         parts.surface.ranges.push_back(found[name].range);
     }
 }
@@ -117,7 +119,8 @@ void make_vocabulary(SurfaceParts& parts, TrackTable& tracks, MistakeList& mista
     }
 }
 
-toml::table catalogue_document(const toml::node& use, const std::string& name) {
+toml::table catalogue_document(const toml::node& use, const std::string& key,
+                               const std::string& name) {
     const auto file = surface_file(name);
     // A bare name: no path to somewhere else.
     std::error_code ignored;
@@ -125,7 +128,7 @@ toml::table catalogue_document(const toml::node& use, const std::string& name) {
         !std::filesystem::exists(file, ignored)) {
         const auto known = surface_names();
         const std::string near = base::nearest_name(name, known);
-        fail(use, "surface.use",
+        fail(use, key,
              near.empty()
                  ? fmt::format("there is no surface '{}'; known: {}", name, fmt::join(known, ", "))
                  : fmt::format("there is no surface '{}'; did you mean '{}'?", name, near));
@@ -134,10 +137,11 @@ toml::table catalogue_document(const toml::node& use, const std::string& name) {
 }
 
 void read_catalogue(const toml::node& use, const std::string& name, SurfaceParts& parts,
-                    MistakeList& mistakes) {
+                    Section& section) {
     parts.surface.name = name;
-    parts.catalogue = catalogue_document(use, name);
-    Section catalogue(*parts.catalogue, "", mistakes);
+    parts.catalogue = catalogue_document(use, section.dotted("use"), name);
+    parts.formula_key = "formula";
+    Section catalogue(*parts.catalogue, "", section.mistakes());
     for (const char* known :
          {"title", "source", "bounds", "parameters", "arrays", "isolation", "material"}) {
         catalogue.find(known);
@@ -215,45 +219,38 @@ void refuse_unused_fields(const SurfaceParts& parts, std::span<const formula::Gr
 }
 
 // Reads [surface] but for its bounds and its transform.
-void read_formula(Section& document, SurfaceParts& parts) {
-    auto section = document.section("surface");
-    if (!section) {
-        if (!document.has("surface")) {
-            document.find("surface");
-            document.tell_missing("surface", "formula = \"...\" and bounds, or use = \"name\" of "
-                                             "the catalogue");
-        }
-        return;
+void read_formula(Section& section, SurfaceParts& parts) {
+    read_keys(keys::surface_keys, section, parts.surface);
+    for (const char* read_later : {"bounds", "transform"}) section.find(read_later);
+    const toml::node* use = section.find("use");
+    const toml::node* formula = section.find("formula");
+    parts.formula_key = section.dotted("formula");
+    parts.bounds_key = section.dotted("bounds");
+    if (use && formula) {
+        section.tell("formula", "the surface has `use` already; keep one");
+    } else if (use) {
+        if (const auto name = section.text("use"))
+            section.attempt("use", [&] { read_catalogue(*use, *name, parts, section); });
+    } else if (formula) {
+        parts.formula_node = formula;
+        parts.formula = section.text("formula");
+    } else if (section.refuse_rest()) { // no slip of the pen
+        section.tell("needs formula = \"...\", or use = \"name\" of the catalogue");
     }
-    read_keys(keys::surface_keys, *section, parts.surface);
-    pass_over(keys::surface_keys, *section);
-    for (const char* later : {"bounds", "transform"}) section->find(later);
-    const toml::node* use = section->find("use");
-    if (use && section->has("formula")) {
-        section->tell("formula", "the surface has `use` already; keep one");
-    } else if (const auto name = section->text("use")) {
-        section->attempt("use", [&] { read_catalogue(*use, *name, parts, section->mistakes()); });
-    } else if (!use && section->has("formula")) {
-        parts.formula_node = section->find("formula");
-        parts.formula = section->text("formula");
-    }
-    const bool are_keys_known = section->refuse_rest();
-    if (use || section->has("formula") || !are_keys_known) return; // a slip of the pen in its name
-    section->tell("needs formula = \"...\", or use = \"name\" of the catalogue");
 }
 
 } // namespace
 
-std::unique_ptr<SurfaceParts> read_surface(Section& document, const animation::Timeline& timeline,
-                                           TrackTable& tracks, const base::Confines& within,
-                                           Surface& surface) {
+std::unique_ptr<SurfaceParts> read_surface(Section& section, Section& sections,
+                                           const animation::Timeline& timeline, TrackTable& tracks,
+                                           const base::Confines& within, Surface& surface) {
     auto parts = std::make_unique<SurfaceParts>(surface);
-    MistakeList& mistakes = document.mistakes();
-    read_formula(document, *parts);
-    read_parameters(document, *parts, tracks);
+    MistakeList& mistakes = section.mistakes();
+    read_formula(section, *parts);
+    read_parameters(sections, *parts, tracks);
     std::optional<Section> catalogue;
     if (parts->catalogue) catalogue.emplace(*parts->catalogue, "", mistakes);
-    parts->are_arrays_known = read_arrays(catalogue ? &*catalogue : nullptr, document, timeline,
+    parts->are_arrays_known = read_arrays(catalogue ? &*catalogue : nullptr, sections, timeline,
                                           tracks, within, parts->arrays);
     make_vocabulary(*parts, tracks, mistakes);
     return parts;
@@ -269,9 +266,9 @@ bool make_field(SurfaceParts& parts, MistakeList& mistakes) {
         try {
             make(*parts.formula);
         } catch (const formula::ParseError& error) {
-            fail(*parts.formula_node, parts.formula_key(), error.what());
+            fail(*parts.formula_node, parts.formula_key, error.what());
         } catch (const std::length_error& error) {
-            fail(*parts.formula_node, parts.formula_key(), error.what());
+            fail(*parts.formula_node, parts.formula_key, error.what());
         }
     });
     if (!is_right) make("x");

@@ -16,21 +16,21 @@ struct SurfaceParts {
     Surface& surface; // the field is made later, when uniform fields have their tracks
     std::optional<std::string> formula{}; // none if it is wrong
     const toml::node* formula_node = nullptr;
-    bool lacks_bounds = false; // which have to be found then
+    std::string formula_key{}, bounds_key{}; // for messages
+    bool lacks_bounds = false;               // which have to be found then
     std::vector<std::string> parameters{};
     std::vector<animation::Array> arrays{};
     bool are_arrays_known = true; // none is wrong as a whole
     formula::Vocabulary vocabulary{};
     std::optional<toml::table> catalogue{}; // the catalogue's file, kept for places and [isolation]
-
-    const char* formula_key() const { return catalogue ? "formula" : "surface.formula"; }
 };
 
 // Reads the three sections into `surface`, all but its bounds and transform, and adds their tracks:
 // parameters first, then fields that have one value for all elements.
-std::unique_ptr<SurfaceParts> read_surface(Section& document, const animation::Timeline& timeline,
-                                           TrackTable& tracks, const base::Confines& within,
-                                           Surface& surface);
+// `section`: [surface], or one of the list; `sections`: those of its parameters and arrays.
+std::unique_ptr<SurfaceParts> read_surface(Section& section, Section& sections,
+                                           const animation::Timeline& timeline, TrackTable& tracks,
+                                           const base::Confines& within, Surface& surface);
 
 // Parses the formula. Returns whether it is right. A mistake is told, and another formula stands in
 // for it. There is no field where the formula's names are not known, as an array is wrong.

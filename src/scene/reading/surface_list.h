@@ -1,5 +1,4 @@
-// Splits the [[surfaces]] of a document. Each surface is read as a document of that surface alone,
-// in which its own values override those that all share.
+// The [[surfaces]] of a document. Each is read with what all share, over which its own values go.
 #pragma once
 
 #include <set>
@@ -17,17 +16,17 @@ bool lists_surfaces(const toml::table& document);
 
 // The surfaces' names, or numbers if they have none. Throws PlacedError if the list is not a list,
 // is too long or repeats a name, and if there is a [surface] beside it.
-std::vector<std::string> listed_names(const toml::table& document);
+std::vector<std::string> listed_names(toml::table& document);
 
 // The listed surface with this name or number, or null.
 toml::table* listed_surface(toml::table& document, const std::string& name);
 
-// Reduces the document to one surface and what all surfaces share.
-void keep_surface(toml::table& document, std::size_t index);
+// The table of the surface with that index.
+toml::table& listed(toml::table& document, std::size_t index);
 
 // Names in [parameters], and names that the surface has itself.
 std::set<std::string> shared_parameters(const toml::table& document);
-std::set<std::string> own_parameters(const toml::table& document, std::size_t index);
+std::set<std::string> own_parameters(toml::table& document, std::size_t index);
 
 // --set name=value: sets the value in surfaces that have a parameter of this name themselves.
 // Returns whether that is all, because nothing else has the name.

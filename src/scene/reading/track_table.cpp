@@ -8,19 +8,22 @@ namespace isomotion::scene {
 
 TrackId TrackTable::add(const std::string& name,
                         const std::optional<animation::TrackSource>& source, double otherwise,
-                        const toml::node* at) {
+                        const toml::node* at, const std::string& key) {
     tracks_.push_back({{name, source.value_or(otherwise)}, otherwise, name});
-    if (at || !places_.count(name)) place(name, name, at);
+    if (at || !places_.count(name)) place(name, key.empty() ? name : key, at);
     return size() - 1;
 }
 
 Vec3Track TrackTable::add(const std::string& name, const std::optional<VectorSource>& source,
-                          const std::array<double, 3>& otherwise, const toml::node* at) {
+                          const std::array<double, 3>& otherwise, const toml::node* at,
+                          const std::string& key) {
     Vec3Track tracks;
     for (std::size_t k = 0; k < 3; ++k) {
-        const std::string component = fmt::format("{}.{}", name, "xyz"[k]);
-        tracks[k] =
-            add(component, source ? std::optional((*source)[k]) : std::nullopt, otherwise[k], at);
+        const auto component = [&](const std::string& of) {
+            return fmt::format("{}.{}", of, "xyz"[k]);
+        };
+        tracks[k] = add(component(name), source ? std::optional((*source)[k]) : std::nullopt,
+                        otherwise[k], at, component(key.empty() ? name : key));
         tracks_.back().of_value = name;
     }
     return tracks;

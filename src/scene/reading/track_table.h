@@ -19,11 +19,13 @@ using VectorSource = std::array<animation::TrackSource, 3>;
 class TrackTable {
 public:
     // `otherwise`: the value without a source, and in place of one that turns out to be wrong. `at`
-    // may be null for a default, which keeps a place remembered before.
+    // may be null for a default, which keeps a place remembered before. `key`: as the document
+    // calls it, if that is not the name.
     TrackId add(const std::string& name, const std::optional<animation::TrackSource>& source,
-                double otherwise, const toml::node* at);
+                double otherwise, const toml::node* at, const std::string& key = {});
     Vec3Track add(const std::string& name, const std::optional<VectorSource>& source,
-                  const std::array<double, 3>& otherwise, const toml::node* at);
+                  const std::array<double, 3>& otherwise, const toml::node* at,
+                  const std::string& key = {});
     Vec3Track add(const std::string& name, double x, double y, double z) {
         return add(name, std::nullopt, {x, y, z}, nullptr);
     }

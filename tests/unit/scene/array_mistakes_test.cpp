@@ -61,7 +61,7 @@ TEST_F(ArrayMistakes, Names) {
         "count = 3\nw = 1\ncx = 1\nn = 1",
         "8: arrays.blobs.n: 'n' means the number of elements in expressions; choose another name");
     expect("count = 3\nw = 1\ncx = 1\n\"c x\" = 1",
-           "8: arrays.blobs.c x: a name is letters, digits and _, and starts with a letter");
+           "8: arrays.blobs.\"c x\": a name is letters, digits and _, and starts with a letter");
     expect("count = 3\nw = 1\ncx = 1\n[arrays.sum]\ncount = 1",
            "8: arrays.sum: 'sum' already has a meaning in formulas; choose another name");
 }

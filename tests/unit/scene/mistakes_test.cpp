@@ -131,10 +131,10 @@ TEST_F(SeveralMistakes, OfArraysThatStandInTheFile) {
 TEST_F(SeveralMistakes, OfSeveralSurfacesWhatTheyShareOnce) {
     EXPECT_EQ(mistake("[[surfaces]]\nformula = \"x + q\"\n[[surfaces]]\nformula = \"x\"\n"
                       "transform = { scale = 0 }\n[camera]\nfob = 3\n"),
-              "scene.toml:2: surface.formula: unknown name 'q'; known: x, y, z, pi\n"
+              "scene.toml:2: surfaces.1.formula: unknown name 'q'; known: x, y, z, pi\n"
               "    x + q\n"
               "        ^\n"
-              "scene.toml:5: surface.transform.scale at t = 0: must be above 0, not 0\n"
+              "scene.toml:5: surfaces.2.transform.scale at t = 0: must be above 0, not 0\n"
               "scene.toml:7: camera.fob: unknown key; did you mean 'fov'?");
 }
 

@@ -94,7 +94,8 @@ Names known_to_schema(const Json& all, const Case& section) {
     const Json& table = all.at(Json::json_pointer(section.pointer));
     EXPECT_EQ(table.at("additionalProperties"), false) << section.section;
     for (const auto& [name, value] : table.at("properties").items()) {
-        const RenamedKey* key = renamed_key(section.section, name);
+        const bool is_listed = std::string_view(section.section) == "surfaces";
+        const RenamedKey* key = renamed_key(is_listed ? "surface" : section.section, name);
         names.insert(key ? std::string(key->now) : name);
     }
     return names;

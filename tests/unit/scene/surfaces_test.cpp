@@ -55,7 +55,7 @@ TEST(Surfaces, MistakesThatWereSetNameTheirSurface) {
     EXPECT_EQ(message_of(two, {"surfaces.ball.material.colour=[1, 0, 0]"}),
               "--set: surfaces.ball.material.colour: unknown key; did you mean 'color'?");
     EXPECT_THAT(message_of(two, {"surfaces.2.transform.scale='x'"}),
-                HasSubstr("--set: surfaces.2.transform.scale: "));
+                HasSubstr("--set: surfaces.ring.transform.scale: "));
     EXPECT_THAT(message_of(two, {"surfaces.ball.formula=x +"}),
                 HasSubstr("--set: surfaces.ball.formula: "));
     EXPECT_THAT(message_of(two, {"surfaces.2.arrays.p.count=3"}),
@@ -202,7 +202,7 @@ TEST(Surfaces, AreNamedWhereOneOfSeveralIsMeant) {
 TEST(Surfaces, MistakesHaveTheirLine) {
     const std::string ball = "[[surfaces]]\nformula = \"x^2 + y^2 + z^2 - 1\"\n";
     EXPECT_THAT(message_of(ball + "[[surfaces]]\nformula = \"x +\"\n"), HasSubstr("scene.toml:4:"));
-    EXPECT_THAT(message_of(ball + "colour = 1\n"), HasSubstr("scene.toml:3: surfaces[1].colour"));
+    EXPECT_THAT(message_of(ball + "colour = 1\n"), HasSubstr("scene.toml:3: surfaces.1.colour"));
     EXPECT_THAT(message_of(ball + "name = \"\"\n"), HasSubstr("surfaces[1].name"));
     EXPECT_THAT(message_of(ball + ball + "name = \"1\"\n"), HasSubstr("name of another"));
     EXPECT_THAT(message_of(ball + "[surface]\nformula = \"x\"\n"),
