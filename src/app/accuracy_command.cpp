@@ -1,20 +1,15 @@
-#include <chrono>
-#include <sstream>
+#include <algorithm>
+#include <optional>
+#include <stdexcept>
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
-#include "accuracy/effect_price.h"
-#include "accuracy/report.h"
-#include "accuracy/truth_cache.h"
-#include "animation/frame_range.h"
 #include "app/commands.h"
 #include "app/console.h"
 #include "app/open_context.h"
 #include "app/progress.h"
 #include "app/render_arguments.h"
-#include "scene/surfaces.h"
-#include "sequence/inputs.h"
 
 namespace isomotion::app {
 namespace {
@@ -26,27 +21,18 @@ struct AccuracyArguments {
     std::optional<double> max_wrong, budget_ms;
     int repeat = 3;
     bool quiet = false, effects = false, certify = false;
-    scene::Reach reach = scene::Reach::own_folder;
+    Reach reach = Reach::own_folder;
 };
 
-std::vector<std::string> listed(const std::string& text) {
-    std::vector<std::string> items;
-    std::istringstream stream(text);
-    for (std::string item; std::getline(stream, item, ',');) items.push_back(item);
-    return items;
-}
-
-std::vector<scene::Method> parse_methods(const std::string& text) {
-    std::vector<scene::Method> methods;
-    for (const std::string& item : listed(text)) {
-        const auto method = scene::parse_method(item);
-        if (!method) {
-            throw std::invalid_argument(fmt::format(
-                "--methods {}: there is no method '{}'; see isomotion list methods", text, item));
-        }
-        methods.push_back(*method);
+std::vector<std::string> parse_methods(const std::string& text) {
+    const std::vector<std::string> known = methods();
+    std::vector<std::string> names = listed(text);
+    for (const std::string& name : names) {
+        if (std::ranges::find(known, name) != known.end()) continue;
+        throw std::invalid_argument(fmt::format(
+            "--methods {}: there is no method '{}'; see isomotion list methods", text, name));
     }
-    return methods;
+    return names;
 }
 
 std::vector<double> parse_steps(const std::string& text) {
@@ -68,7 +54,7 @@ std::vector<double> parse_steps(const std::string& text) {
     return steps;
 }
 
-scene::Scene load(const AccuracyArguments& arguments) {
+Scene load(const AccuracyArguments& arguments) {
     RenderArguments as_render;
     as_render.scene = arguments.scene;
     as_render.size = arguments.size;
@@ -77,116 +63,88 @@ scene::Scene load(const AccuracyArguments& arguments) {
     as_render.settings.insert(as_render.settings.end(), arguments.settings.begin(),
                               arguments.settings.end());
     as_render.certify = arguments.certify;
-    scene::Scene scene = scene::load(arguments.scene, overrides(as_render), arguments.reach);
-    if (arguments.surface.empty()) return scene;
-    return scene::alone({scene, scene::surface_named(scene, arguments.surface)});
+    const Scene scene = Scene::load(arguments.scene, scene_settings(as_render), arguments.reach);
+    return arguments.surface.empty() ? scene : scene.alone(arguments.surface);
+}
+
+std::vector<int> frames_of(const AccuracyArguments& arguments, const Scene& scene) {
+    return arguments.frames.empty() ? std::vector{scene.poster()} : frame_numbers(arguments.frames);
 }
 
 // --effects: what each effect of the scene costs.
 int price_effects(const AccuracyArguments& arguments) {
-    const scene::Scene scene = load(arguments);
-    const int frame = arguments.frames.empty()
-                          ? scene.output.poster
-                          : animation::parse_frame_range(arguments.frames).front();
-    expect_frames_of({&frame, 1}, scene);
-    if (shader::effects(scene).empty()) {
-        print_result("{} calls for no effect\n", scene.title);
+    const Scene scene = load(arguments);
+    const int frame = frames_of(arguments, scene).front();
+    expect_frames_of({&frame, 1}, scene.frames());
+    if (effects_of(scene).empty()) {
+        print_result("{} calls for no effect\n", scene.title());
         return exit_done;
     }
-    const auto context = open_context(arguments.backend);
-    const auto prices =
-        accuracy::effect_prices(*context, scene, frame, scene.output.width, scene.output.height,
-                                arguments.repeat, render::parse_stage(arguments.stage));
-    print_result("{}: {}x{}, frame {}, medians of {} pairs; {}, {}\n", scene.title,
-                 scene.output.width, scene.output.height, frame, arguments.repeat,
-                 context->info().renderer, context->info().version);
+    Device device = open_device(arguments.backend);
+    const auto prices = effect_prices(device, scene, frame, arguments.repeat, arguments.stage);
+    print_result("{}: {}x{}, frame {}, medians of {} pairs; {}, {}\n", scene.title(), scene.width(),
+                 scene.height(), frame, arguments.repeat, device.renderer(), device.version());
     print_result("{:<18}{:>10}{:>12}{:>12}\n", "effect", "with ms", "without ms", "price ms");
-    for (const accuracy::EffectPrice& price : prices) {
-        print_result("{:<18}{:>10.2f}{:>12.2f}{:>12.2f}\n", shader::name(price.effect), price.with,
-                     price.without, price.price);
+    for (const EffectPrice& price : prices) {
+        print_result("{:<18}{:>10.2f}{:>12.2f}{:>12.2f}\n", price.effect, price.with, price.without,
+                     price.price);
     }
     return exit_done;
 }
 
-accuracy::Report measured(const AccuracyArguments& arguments) {
-    const scene::Scene scene = load(arguments);
-    accuracy::MeasureOptions measuring;
-    measuring.frames = arguments.frames.empty() ? std::vector{scene.output.poster}
-                                                : animation::parse_frame_range(arguments.frames);
-    expect_frames_of(measuring.frames, scene);
-    for (const int frame : measuring.frames) scene::at_frame(scene, frame);
-    measuring.width = scene.output.width;
-    measuring.height = scene.output.height;
-    measuring.repeat = arguments.repeat;
-    measuring.stage = render::parse_stage(arguments.stage);
-    measuring.cache = accuracy::truth_cache_folder();
-    const auto settings =
-        accuracy::sweep(scene, parse_methods(arguments.methods), parse_steps(arguments.steps));
-    if (!arguments.output.empty()) {
-        const sequence::Inputs inputs(scene);
-        for (const std::string& name : accuracy::files_written(settings.size()))
-            inputs.expect_apart("-o", std::filesystem::path(arguments.output) / name);
-    }
-    const auto context = open_context(arguments.backend);
-    const shader::Stage stage = render::choose_stage(measuring.stage, context->info());
+Accuracy measured(const AccuracyArguments& arguments) {
+    const Scene scene = load(arguments);
+    const AccuracySettings settings{.frames = frames_of(arguments, scene),
+                                    .methods = parse_methods(arguments.methods),
+                                    .steps = parse_steps(arguments.steps),
+                                    .repeat = arguments.repeat,
+                                    .stage = arguments.stage,
+                                    .remember = true,
+                                    .output = arguments.output};
+    expect_frames_of(settings.frames, scene.frames());
+    with_options_named([&] { accuracy_plan(scene, settings); });
+    Device device = open_device(arguments.backend);
     Progress progress("measuring", 1000, arguments.quiet);
-    measuring.progress = [&](const std::string& what, double part) {
-        progress.show(int(1000 * part), what);
-    };
-    accuracy::Report report{scene.title,
-                            fmt::format("{}, {}, {} shaders", context->info().renderer,
-                                        context->info().version, render::name(stage)),
-                            scene.surfaces.front().isolation,
-                            measuring.frames,
-                            measuring.width,
-                            measuring.height,
-                            {}};
-    report.measurements = accuracy::measure(*context, scene, settings, measuring);
-    return report;
+    return accuracy_of(device, scene, settings,
+                       {.progress = [&](const std::string& what, double part) {
+                           progress.show(int(1000 * part), what);
+                       }});
 }
 
 // The cheapest setting with few enough wrong pixels; the most accurate that is fast enough.
-int judge(const AccuracyArguments& arguments, const accuracy::Report& report) {
-    const auto tell = [&](const char* what, std::size_t k) {
-        const accuracy::Measurement& m = report.measurements[k];
-        print_result("{}: {} ({:.2f} ms, {:.1f} ppm wrong)\n", what,
-                     accuracy::name(m.setting, report.isolation), m.ms, m.errors.wrong_ppm());
-    };
+int judge(const AccuracyArguments& arguments, const Accuracy& accuracy) {
     int code = exit_done;
-    if (arguments.max_wrong) {
-        if (const auto k = accuracy::cheapest(report.measurements, *arguments.max_wrong)) {
-            tell("cheapest", *k);
+    const auto tell = [&](const char* what, const Measurement* found, const std::string& none) {
+        if (found) {
+            print_result("{}: {} ({:.2f} ms, {:.1f} ppm wrong)\n", what, found->name, found->ms,
+                         found->wrong_ppm());
         } else {
-            message("no setting has at most {:g} ppm of wrong pixels\n", *arguments.max_wrong);
+            message("no setting {}\n", none);
             code = exit_check_failed;
         }
+    };
+    if (const auto most = arguments.max_wrong) {
+        tell("cheapest", accuracy.cheapest(*most),
+             fmt::format("has at most {:g} ppm of wrong pixels", *most));
     }
-    if (arguments.budget_ms) {
-        if (const auto k = accuracy::most_accurate(report.measurements, *arguments.budget_ms)) {
-            tell("most accurate", *k);
-        } else {
-            message("no setting takes at most {:g} ms a frame\n", *arguments.budget_ms);
-            code = exit_check_failed;
-        }
+    if (const auto most = arguments.budget_ms) {
+        tell("most accurate", accuracy.most_accurate(*most),
+             fmt::format("takes at most {:g} ms a frame", *most));
     }
     return code;
 }
 
-int accuracy_of(const AccuracyArguments& arguments) {
+int measure(const AccuracyArguments& arguments) {
     check_amount("--max-wrong", arguments.max_wrong, wrong_pixels);
     check_amount("--budget-ms", arguments.budget_ms, "milliseconds a frame, 0 or more: 16");
     if (arguments.effects) return price_effects(arguments);
-    const accuracy::Report report = measured(arguments);
-    if (!arguments.quiet) {
-        print_result("{}: {}x{}, {} frame{} from {}; {}\n{}", report.title, report.width,
-                     report.height, report.frames.size(), report.frames.size() == 1 ? "" : "s",
-                     report.frames.front(), report.machine, accuracy::table(report));
-    }
+    const Accuracy accuracy = measured(arguments);
+    if (!arguments.quiet) print_result("{}", accuracy.summary());
     if (!arguments.output.empty()) {
-        accuracy::write(report, arguments.output);
+        accuracy.write();
         if (!arguments.quiet) print_result("report: {}/index.html\n", arguments.output);
     }
-    return judge(arguments, report);
+    return judge(arguments, accuracy);
 }
 
 } // namespace
@@ -228,7 +186,7 @@ void add_accuracy(CLI::App& app, Action& chosen) {
     command->add_option("--stage", a.stage, "fragment, compute or auto, as for render");
     command->add_flag("--quiet", a.quiet, "print neither table nor progress");
     command->callback(
-        [arguments, &chosen] { chosen = [arguments] { return accuracy_of(*arguments); }; });
+        [arguments, &chosen] { chosen = [arguments] { return measure(*arguments); }; });
 }
 
 } // namespace isomotion::app

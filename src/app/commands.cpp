@@ -27,6 +27,7 @@ int report(const Error& error) {
     message("{}\n", error.what());
     switch (error.code()) {
     case Error::Code::input:
+    case Error::Code::setting:
     case Error::Code::formula:
     case Error::Code::limit:
         return exit_usage;
@@ -136,13 +137,9 @@ void add_commands(CLI::App& app, Action& chosen) {
     refuse_empty_words(app);
 }
 
-Reach reach_of(scene::Reach reach) {
-    return reach == scene::Reach::anywhere ? Reach::anywhere : Reach::own_folder;
-}
-
-CLI::Option* add_allow_outside(CLI::App& command, scene::Reach& reach) {
+CLI::Option* add_allow_outside(CLI::App& command, Reach& reach) {
     return command.add_flag_callback(
-        "--allow-outside", [&reach] { reach = scene::Reach::anywhere; },
+        "--allow-outside", [&reach] { reach = Reach::anywhere; },
         "let the scene name files outside its own folder and the program's");
 }
 

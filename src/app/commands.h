@@ -9,7 +9,6 @@
 #include <vector>
 
 #include "isomotion/isomotion.h"
-#include "scene/reading/reach.h"
 
 namespace CLI {
 class App;
@@ -47,10 +46,7 @@ void add_describe(CLI::App& app, Action& chosen);
 void add_commands(CLI::App& app, Action& chosen);
 
 // --allow-outside: the scene may name files outside of its own folder.
-CLI::Option* add_allow_outside(CLI::App& command, scene::Reach& reach);
-
-// The same for the public header.
-Reach reach_of(scene::Reach reach);
+CLI::Option* add_allow_outside(CLI::App& command, Reach& reach);
 
 // Throws unless a given option is finite and at least 0. `right` states what to write: "--dt nan:
 // write seconds, 0 or more: 1e-9".

@@ -6,16 +6,14 @@
 
 namespace isomotion::app {
 
-std::unique_ptr<gpu::Context> open_context(const std::string& backend) {
+void check_backend(const std::string& backend) { gpu::parse_backend(backend); }
+
+Device open_device(const std::string& backend) {
     const gpu::Backend parsed = gpu::parse_backend(backend);
     auto words = words_on_crash();
     auto context = gpu::Context::create(parsed);
     context->keep_until_drawn(std::move(words));
-    return context;
-}
-
-Device open_device(const std::string& backend) {
-    return Device(std::make_unique<Device::Parts>(Device::Parts{open_context(backend)}));
+    return Device(std::make_unique<Device::Parts>(Device::Parts{std::move(context)}));
 }
 
 std::shared_ptr<void> words_on_crash() {

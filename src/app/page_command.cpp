@@ -27,7 +27,7 @@ namespace {
 struct PageArguments {
     std::string scene, output, backend = "auto";
     std::vector<std::string> settings;
-    scene::Reach reach = scene::Reach::own_folder;
+    Reach reach = Reach::own_folder;
     std::string report;
     bool gallery = false, video = false, quiet = false;
 };
@@ -77,9 +77,9 @@ std::vector<std::byte> movie_of(const PageArguments& arguments, const Scene& sce
     Device device = open_device(arguments.backend);
     const StopOnSignal stop;
     Progress progress("drawing the movie", scene.frames(), arguments.quiet);
-    const Watcher watcher{
+    const ExportWatcher watcher{
         .stop = [&] { return stop.asked(); },
-        .progress = [&](const std::string&, double part) { progress.show(part * scene.frames()); },
+        .progress = [&](const ExportProgress& now) { progress.show(now.done + now.part); },
         .warn = warn};
     stop.work_has_begun();
     const Exported done = export_frames(
@@ -114,7 +114,7 @@ std::string page_with_report_beside(const Scene& scene, PageSettings& settings) 
 }
 
 int write_page(const PageArguments& arguments) {
-    const Scene scene = Scene::load(arguments.scene, arguments.settings, reach_of(arguments.reach));
+    const Scene scene = Scene::load(arguments.scene, arguments.settings, arguments.reach);
     const fs::path file = file_of(arguments, scene);
     sequence::Inputs inputs(scene.files());
     inputs.add(fs::is_directory(arguments.report) ? arguments.report / fs::path("accuracy.json")
@@ -188,7 +188,7 @@ int write_gallery(const PageArguments& arguments) {
 }
 
 int write_pages(const PageArguments& arguments) {
-    gpu::parse_backend(arguments.backend);
+    check_backend(arguments.backend);
     if (arguments.gallery == !arguments.scene.empty()) {
         throw std::invalid_argument("page: name a scene, or write --gallery for all animations");
     }

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "animation/frame_range.h"
+#include "api/scene/reach.h"
 #include "app/commands.h"
 #include "app/console.h"
 #include "app/gallery_inputs.h"
@@ -60,14 +61,16 @@ void add_play(CLI::App& app, Action& chosen) {
         ->add_option("--set", o.overrides,
                      "set a parameter (r=0.5) or a key of the scene file (camera.fov=30)")
         ->allow_extra_args(false);
-    add_allow_outside(*command, o.reach);
+    const auto reach = std::make_shared<Reach>(Reach::own_folder);
+    add_allow_outside(*command, *reach);
     command->add_option("--frames,--frame", *frames,
                         "1-120: play from frame 1 to frame 120 (default: all of the scene)");
     command->add_flag("!--paused", o.playing, "open paused");
     command->add_flag("!--forget", o.remembers,
                       "do not remember where the window and the cameras were");
     command->add_option("--log", o.log, "write a line of JSON to this file for each picture shown");
-    command->callback([options, frames, &chosen] {
+    command->callback([options, frames, reach, &chosen] {
+        options->reach = api::reach_of(*reach);
         chosen = [options, frames] { return play_in_window(with_frames(*options, *frames)); };
     });
 }

@@ -3,24 +3,20 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <sstream>
 #include <stdexcept>
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
-#include "animation/frame_range.h"
 #include "app/commands.h"
+#include "app/open_context.h"
 #include "base/extension.h"
-#include "scene/limits.h"
-#include "scene/method.h"
-#include "sequence/inputs.h"
 #include "sequence/names/sequence_name.h"
-#include "shader/channel.h"
 
 namespace isomotion::app {
 namespace {
-
-constexpr int most_audited = 1'000'000;
 
 std::string size_key(const std::string& text) {
     int width = 0, height = 0;
@@ -34,10 +30,9 @@ std::string size_key(const std::string& text) {
             fmt::format("--size {}: write WIDTHxHEIGHT, {}", text,
                         is_one ? fmt::format("{0}x{0}", width) : "1920x1080"));
     }
-    constexpr int most = scene::limits::picture_side;
-    if (width > most || height > most) {
-        throw std::invalid_argument(
-            fmt::format("--size {}: a picture has at most {} pixels along each side", text, most));
+    if (width > largest_side || height > largest_side) {
+        throw std::invalid_argument(fmt::format(
+            "--size {}: a picture has at most {} pixels along each side", text, largest_side));
     }
     return fmt::format("output.size=[{},{}]", width, height);
 }
@@ -53,14 +48,10 @@ std::string step_key(const std::string& text) {
     return fmt::format("isolation.step={}", step);
 }
 
-std::string known_methods() {
-    std::vector<std::string_view> known;
-    for (const auto& entry : scene::method_traits) known.push_back(entry.name);
-    return fmt::format("{}", fmt::join(known, ", "));
-}
+std::string known_methods() { return fmt::format("{}", fmt::join(methods(), ", ")); }
 
 std::string method_key(const std::string& text) {
-    if (!scene::parse_method(text)) {
+    if (const auto known = methods(); std::ranges::find(known, text) == known.end()) {
         throw std::invalid_argument(
             fmt::format("--method: there is no method '{}'; known: {}", text, known_methods()));
     }
@@ -82,37 +73,10 @@ std::optional<int> audit_of(const std::string& text) {
     return rays;
 }
 
-std::vector<int> frames_of(const std::string& text, const scene::Scene& scene) {
-    if (text == "poster") return {scene.output.poster};
-    if (!text.empty()) return animation::parse_frame_range(text);
-    return animation::parse_frame_range(fmt::format("1-{}", scene.timeline.frames));
-}
-
-std::string output_of(const RenderArguments& arguments, const scene::Scene& scene) {
-    if (!arguments.output.empty()) return arguments.output;
-    return fmt::format("out/{}.####.png", sequence::stem_of_frames(scene.file.stem().string()));
-}
-
-// The channels in one order, whatever the user's: the order decides shader text and fingerprint.
-std::vector<shader::Channel> parse_channels(const std::string& text) {
-    std::vector<shader::Channel> channels;
-    for (std::size_t begin = 0; begin < text.size();) {
-        const std::size_t comma = std::min(text.find(',', begin), text.size());
-        const std::string part = text.substr(begin, comma - begin);
-        const auto channel = shader::parse_channel(part);
-        if (!channel) {
-            std::vector<std::string_view> known;
-            for (const auto& entry : shader::channel_names()) known.push_back(entry.name);
-            throw std::invalid_argument(fmt::format(
-                "--channels: there is no channel '{}'; known: {}", part, fmt::join(known, ", ")));
-        }
-        if (std::find(channels.begin(), channels.end(), *channel) == channels.end()) {
-            channels.push_back(*channel);
-        }
-        begin = comma + 1;
-    }
-    std::sort(channels.begin(), channels.end());
-    return channels;
+std::vector<int> frames_of(const std::string& text, const Scene& scene) {
+    if (text == "poster") return {scene.poster()};
+    if (text.empty()) return {};
+    return frame_numbers(text);
 }
 
 } // namespace
@@ -186,8 +150,15 @@ RenderArguments with_movie_apart(RenderArguments arguments) {
     return arguments;
 }
 
-std::vector<scene::Override> overrides(const RenderArguments& arguments) {
-    std::vector<scene::Override> all = arguments.settings;
+std::vector<std::string> listed(const std::string& text) {
+    std::vector<std::string> items;
+    std::istringstream stream(text);
+    for (std::string item; std::getline(stream, item, ',');) items.push_back(item);
+    return items;
+}
+
+std::vector<std::string> scene_settings(const RenderArguments& arguments) {
+    std::vector<std::string> all = arguments.settings;
     if (arguments.certify) all.emplace_back("isolation.certify=true");
     if (!arguments.method.empty()) all.push_back(method_key(arguments.method));
     if (!arguments.step.empty()) all.push_back(step_key(arguments.step));
@@ -195,8 +166,7 @@ std::vector<scene::Override> overrides(const RenderArguments& arguments) {
     return all;
 }
 
-void expect_frames_of(std::span<const int> frames, const scene::Scene& scene) {
-    const int last = scene.timeline.frames;
+void expect_frames_of(std::span<const int> frames, int last) {
     const auto beyond = std::ranges::find_if(frames, [&](int frame) { return frame > last; });
     if (beyond == frames.end()) return;
     throw std::invalid_argument(
@@ -208,28 +178,35 @@ void expect_frames_of(std::span<const int> frames, const scene::Scene& scene) {
                                 *beyond, last, *beyond));
 }
 
-sequence::Exporter exporter_of(const RenderArguments& arguments) {
+Scene scene_of(const RenderArguments& arguments) {
     check_amount("--max-wrong", arguments.max_wrong, wrong_pixels);
-    scene::Scene scene = scene::load(arguments.scene, overrides(arguments), arguments.reach);
-    gpu::parse_backend(arguments.backend);
-    sequence::ExportOptions options;
-    options.stage = render::parse_stage(arguments.stage);
-    options.channels = parse_channels(arguments.channels);
-    options.frames = frames_of(arguments.frames, scene);
-    if (!arguments.part_of.empty()) options.part_of = frames_of(arguments.part_of, scene);
-    options.output = output_of(arguments, scene);
-    options.bits = arguments.bits;
-    options.audit = audit_of(arguments.audit);
-    options.resume = arguments.resume;
-    options.movies.assign(arguments.movies.begin(), arguments.movies.end());
-    const sequence::Inputs inputs(scene);
-    inputs.expect_apart("-o", sequence::SequenceName::parse(options.output));
-    for (const std::string& movie : arguments.movies) inputs.expect_apart("--movie", movie);
-    try {
-        return {std::move(scene), std::move(options)};
-    } catch (const sequence::OptionError& error) {
-        throw std::invalid_argument(fmt::format("--{}", error.what()));
-    }
+    Scene scene = Scene::load(arguments.scene, scene_settings(arguments), arguments.reach);
+    check_backend(arguments.backend);
+    return scene;
+}
+
+ExportSettings export_settings(const RenderArguments& arguments, const Scene& scene) {
+    ExportSettings settings;
+    settings.output = arguments.output;
+    settings.frames = frames_of(arguments.frames, scene);
+    settings.part_of = frames_of(arguments.part_of, scene);
+    settings.resume = arguments.resume;
+    settings.movies.assign(arguments.movies.begin(), arguments.movies.end());
+    settings.channels = listed(arguments.channels);
+    settings.bits = arguments.bits;
+    settings.stage = arguments.stage;
+    settings.audit = audit_of(arguments.audit);
+    return settings;
+}
+
+std::string with_option_named(const std::string& message) {
+    constexpr std::string_view output = "output";
+    return message.starts_with(output) ? "-o" + message.substr(output.size()) : "--" + message;
+}
+
+Exporter exporter_of(const Scene& scene, const ExportSettings& settings,
+                     const std::function<void(const std::string&)>& warn) {
+    return with_options_named([&] { return Exporter(scene, settings, warn); });
 }
 
 } // namespace isomotion::app

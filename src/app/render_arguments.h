@@ -1,14 +1,13 @@
 // The arguments of `render`, and their conversion to settings.
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <span>
 #include <string>
 #include <vector>
 
-#include "scene/reading/load.h"
-#include "scene/scene.h"
-#include "sequence/exporter.h"
+#include "isomotion/isomotion.h"
 
 namespace CLI {
 class App;
@@ -26,7 +25,7 @@ struct RenderArguments {
     std::optional<double> max_wrong; // ppm
     int bits = 8;
     bool resume = false, quiet = false, certify = false;
-    scene::Reach reach = scene::Reach::own_folder;
+    Reach reach = Reach::own_folder;
 };
 
 // The options of `render` and `submit` for a sequence: scene, frames and output
@@ -38,17 +37,36 @@ std::vector<CLI::Option*> add_picture_options(CLI::App& command, RenderArguments
 // The arguments for an -o that names a movie: the movie, made of frames in files beside it.
 RenderArguments with_movie_apart(RenderArguments arguments);
 
+// The parts of "a,b".
+std::vector<std::string> listed(const std::string& text);
+
 // Each of these throws std::invalid_argument. The message names the option as it was written, not
 // the key of the scene file that it sets.
 
-// The scene's keys that the options set, --set first.
-std::vector<scene::Override> overrides(const RenderArguments& arguments);
+// The scene's settings that the options make, --set first.
+std::vector<std::string> scene_settings(const RenderArguments& arguments);
 
-// Throws if --frames names frames that the scene doesn't have.
-void expect_frames_of(std::span<const int> frames, const scene::Scene& scene);
+// Throws if --frames names frames after the scene's last.
+void expect_frames_of(std::span<const int> frames, int last);
 
-// An exporter for the requested frames, by default all of the scene, to out/SCENE.####.png if no
-// other output is named. Refuses everything that `render` would refuse before it draws.
-sequence::Exporter exporter_of(const RenderArguments& arguments);
+// The scene, and what is to become of it: all of its frames if no others are named. These refuse
+// all that `render` refuses before it draws.
+Scene scene_of(const RenderArguments& arguments);
+ExportSettings export_settings(const RenderArguments& arguments, const Scene& scene);
+Exporter exporter_of(const Scene& scene, const ExportSettings& settings,
+                     const std::function<void(const std::string&)>& warn = {});
+
+// A message that begins with a setting's name, with the option instead: "--frames: ...".
+std::string with_option_named(const std::string& message);
+
+// Does something with settings of the public header, and names options in their mistakes.
+template<class Work> decltype(auto) with_options_named(Work&& work) {
+    try {
+        return std::forward<Work>(work)();
+    } catch (const Error& error) {
+        if (error.code() != Error::Code::setting) throw;
+        throw Error(Error::Code::setting, with_option_named(error.what()));
+    }
+}
 
 } // namespace isomotion::app

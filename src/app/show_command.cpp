@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "animation/frame_range.h"
+#include "api/scene/reach.h"
 #include "app/commands.h"
 #include "app/console.h"
 #include "app/new_file.h"
@@ -33,7 +34,7 @@ struct ShowArguments {
     std::string pass; // the one to print, or empty
     std::string stage = "fragment";
     std::vector<std::string> settings;
-    scene::Reach reach = scene::Reach::own_folder;
+    Reach reach = Reach::own_folder;
 };
 
 // Where an array's elements come from, and what columns there are at that time.
@@ -111,12 +112,12 @@ const shader::Pass& pass_named(const shader::Passes& passes, const std::string& 
 // -o: the scene file that the scene is, tried before it is written.
 int write_scene(const ShowArguments& arguments) {
     const std::string text =
-        scene::scene_file_text(arguments.scene, arguments.settings, arguments.reach);
+        scene::scene_file_text(arguments.scene, arguments.settings, api::reach_of(arguments.reach));
     if (base::lower_extension(arguments.output) != ".toml") {
         throw std::invalid_argument(
             fmt::format("-o {}: a scene file's name ends in .toml", arguments.output));
     }
-    scene::load_text(text, arguments.output, {}, arguments.reach);
+    scene::load_text(text, arguments.output, {}, api::reach_of(arguments.reach));
     write_new_file(arguments.output, text);
     print_result("scene: {}\n", arguments.output);
     return exit_done;
@@ -213,9 +214,10 @@ void expect_map(const scene::Scene& scene) {
 int show(const ShowArguments& arguments) {
     if (!arguments.output.empty()) return write_scene(arguments);
     const std::vector<int> frames = animation::parse_frame_range(arguments.frames);
-    const scene::Scene scene = scene::load(arguments.scene, arguments.settings, arguments.reach);
+    const scene::Scene scene =
+        scene::load(arguments.scene, arguments.settings, api::reach_of(arguments.reach));
     const int frame = frames.front();
-    expect_frames_of({&frame, 1}, scene);
+    expect_frames_of({&frame, 1}, scene.timeline.frames);
     expect_map(scene);
     const bool lists = !arguments.shader && arguments.pass.empty();
     // Values that have left their range are an error here too.

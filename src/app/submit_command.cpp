@@ -64,17 +64,18 @@ public:
                 "--max-wrong: each chunk would choose for itself; let isomotion accuracy choose, "
                 "and give --method and --step");
         }
-        const sequence::Exporter exporter = exporter_of(render);
-        frames_ = exporter.options().frames;
+        const Scene scene = scene_of(render);
+        const Exporter exporter = exporter_of(scene, export_settings(render, scene));
+        frames_ = exporter.frames();
         job_.program = fs::read_symlink("/proc/self/exe");
         job_.folder = fs::current_path();
-        job_.scene = scene::reload_argument(exporter.scene());
-        job_.output = fs::absolute(exporter.options().output);
+        job_.scene = scene.file() ? fs::absolute(*scene.file()).string() : render.scene;
+        job_.output = fs::absolute(exporter.output());
         job_.frames = all_frames(); // as short as they were written
         for (const std::string& movie : render.movies) job_.movies.push_back(fs::absolute(movie));
         job_.options = words_of(arguments.picture);
         if (arguments.engine == "slurm")
-            sequence::Inputs(exporter.scene()).expect_apart("-o", script());
+            sequence::Inputs(scene.files()).expect_apart("-o", script());
         if (const char* data = std::getenv("ISOMOTION_DATA")) {
             job_.environment.push_back("ISOMOTION_DATA=" + fs::absolute(data).string());
         }

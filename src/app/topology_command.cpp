@@ -9,6 +9,8 @@
 #include <fmt/format.h>
 
 #include "animation/frame_range.h"
+#include "api/drawing/parts.h"
+#include "api/scene/reach.h"
 #include "app/commands.h"
 #include "app/console.h"
 #include "app/open_context.h"
@@ -48,13 +50,13 @@ struct TopologyArguments {
     std::vector<std::string> solids;
     std::optional<int> grid;
     bool quiet = false;
-    scene::Reach reach = scene::Reach::own_folder;
+    Reach reach = Reach::own_folder;
 };
 
 // The scene that a picture of the subject shows: for two surfaces it is the whole scene.
 scene::Scene load_seen(const TopologyArguments& arguments,
                        const std::vector<scene::Override>& settings) {
-    scene::Scene scene = scene::load(arguments.scene, settings, arguments.reach);
+    scene::Scene scene = scene::load(arguments.scene, settings, api::reach_of(arguments.reach));
     if (arguments.surface.empty()) return scene;
     return scene::alone({scene, scene::surface_named(scene, arguments.surface)});
 }
@@ -144,8 +146,9 @@ Pictures pictures_of(const TopologyArguments& arguments, const topology::Timelin
     try {
         scene::Scene scene = load_seen(arguments, settings);
         scene.sections.clear(); // the topology is that of the whole surface
-        const auto context = open_context(arguments.backend);
-        render::Renderer renderer(*context, scene, {thumbnail_size, thumbnail_size, {}, {}, {}});
+        const Device device = open_device(arguments.backend);
+        render::Renderer renderer(*device.parts().context, scene,
+                                  {thumbnail_size, thumbnail_size, {}, {}, {}});
         const auto frames = topology::representative_frames(record, most_thumbnails);
         Progress progress("drawing", int(frames.size()), arguments.quiet);
         for (std::size_t k = 0; k < frames.size(); ++k) {
@@ -320,10 +323,11 @@ int topology_of(TopologyArguments arguments) {
     topology::parse_dt(arguments.dt, {1, 1});
     gpu::parse_backend(arguments.backend);
     if (!arguments.contact.empty()) check_proves_contact(arguments);
-    scene::Scene loaded = scene::load(arguments.scene, arguments.settings, arguments.reach);
+    scene::Scene loaded =
+        scene::load(arguments.scene, arguments.settings, api::reach_of(arguments.reach));
     if (const auto settings = settings_of(arguments, loaded); settings != arguments.settings) {
         arguments.settings = settings;
-        loaded = scene::load(arguments.scene, settings, arguments.reach);
+        loaded = scene::load(arguments.scene, settings, api::reach_of(arguments.reach));
     }
     sequence::Inputs inputs(loaded);
     inputs.add(arguments.check);

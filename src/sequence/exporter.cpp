@@ -38,31 +38,34 @@ image::Rational movie_rate(const scene::Scene& scene) {
 bool stopped(const ExportWatcher& watcher) { return watcher.stop && watcher.stop(); }
 
 void check_options(const scene::Scene& scene, const ExportOptions& options, image::Format format) {
-    if (options.frames.empty()) throw OptionError("frames: name at least one");
+    if (options.frames.empty()) throw Error(Error::Code::setting, "frames: name at least one");
     if (!options.part_of.empty()) {
         const std::set<int> all(options.part_of.begin(), options.part_of.end());
         for (const int frame : options.frames) {
             if (all.contains(frame)) continue;
-            throw OptionError(fmt::format("part-of {}: frame {} is to be rendered and is not among "
-                                          "them; name all frames of the sequence",
-                                          animation::frame_range(options.part_of), frame));
+            throw Error(Error::Code::setting,
+                        fmt::format("part-of {}: frame {} is to be rendered and is not among "
+                                    "them; name all frames of the sequence",
+                                    animation::frame_range(options.part_of), frame));
         }
     }
     if (format == image::Format::exr && options.bits != 8) {
-        throw OptionError("bits is of a PNG; an EXR holds half floats");
+        throw Error(Error::Code::setting, "bits is of a PNG; an EXR holds half floats");
     }
     if (format != image::Format::exr && !options.channels.empty()) {
-        throw OptionError(fmt::format("channels: a PNG holds the picture alone; write an EXR: {}",
-                                      fs::path(options.output).replace_extension(".exr").string()));
+        throw Error(Error::Code::setting,
+                    fmt::format("channels: a PNG holds the picture alone; write an EXR: {}",
+                                fs::path(options.output).replace_extension(".exr").string()));
     }
     if (!scene.surfaces.front().isolation.certify &&
         std::ranges::find(options.channels, shader::Channel::proof) != options.channels.end()) {
-        throw OptionError("channels proof: nothing is proved without isolation.certify");
+        throw Error(Error::Code::setting,
+                    "channels proof: nothing is proved without isolation.certify");
     }
     try {
         for (const fs::path& movie : options.movies) check_movie(movie, movie_rate(scene));
     } catch (const Error& error) {
-        throw OptionError(fmt::format("movie {}", error.what()));
+        throw Error(Error::Code::setting, fmt::format("movie {}", error.what()));
     }
 }
 
@@ -153,8 +156,7 @@ public:
                 add(options_.frames[k]);
             }
             finish();
-            progress_.part = 1; // only writing is left
-            if (watcher_.progress) watcher_.progress(progress_);
+            tell_of_frame(1);              // only writing is left
         } catch (const render::Stopped&) { // frames that are not whole are not written
         }
         writer_.finish();
@@ -184,7 +186,9 @@ private:
 
     void begin(int done) {
         const int frame = options_.frames[std::size_t(done)];
-        progress_ = {done, frame, name_.path(frame), 0};
+        progress_ = {.done = done, .frame = frame, .file = name_.path(frame)};
+        begin_ = std::chrono::steady_clock::now();
+        pace_ = {};
         picture_ = 0;
         part_ = 0;
         if (watcher_.progress) watcher_.progress(progress_);
@@ -195,7 +199,14 @@ private:
         if (is_landing_) return; // of a frame before
         if (part < part_) ++picture_;
         part_ = part;
-        progress_.part = std::min((picture_ + part) / scene_.output.samples, 1.0);
+        tell_of_frame(std::min((picture_ + part) / scene_.output.samples, 1.0));
+    }
+
+    void tell_of_frame(double part) {
+        progress_.part = part;
+        progress_.passed = std::chrono::steady_clock::now() - begin_;
+        pace_.note(part, progress_.passed);
+        progress_.left = pace_.left(progress_.passed);
         if (watcher_.progress) watcher_.progress(progress_);
     }
 
@@ -355,6 +366,8 @@ private:
     ExportTotals totals_;
 
     ExportProgress progress_;
+    std::chrono::steady_clock::time_point begin_{}; // of the frame
+    Pace pace_;
     int picture_ = 0;         // of the frame's
     double part_ = 0;         // of the picture
     bool is_landing_ = false; // a frame before the one that is told of
@@ -398,9 +411,13 @@ ExportTotals Exporter::export_frames(gpu::Context& context, const ExportWatcher&
 bool Exporter::write_movies(const ExportWatcher& watcher) const {
     std::vector<fs::path> pictures;
     for (const int frame : options_.frames) pictures.push_back(name_.path(frame));
-    return std::ranges::all_of(options_.movies, [&](const fs::path& movie) {
-        return write_movie(movie, pictures, movie_rate(scene_), watcher.stop);
-    });
+    try {
+        return std::ranges::all_of(options_.movies, [&](const fs::path& movie) {
+            return write_movie(movie, pictures, movie_rate(scene_), watcher.stop);
+        });
+    } catch (const image::ImageError& error) {
+        throw Error(Error::Code::file, error.what());
+    }
 }
 
 } // namespace isomotion::sequence

@@ -22,15 +22,9 @@
 #include "sequence/frame_status.h"
 #include "sequence/manifest_writer.h"
 #include "sequence/names/sequence_name.h"
+#include "sequence/pace.h"
 
 namespace isomotion::sequence {
-
-// Options that contradict each other; the message begins with the name of one.
-class OptionError : public Error {
-public:
-    explicit OptionError(const std::string& message)
-        : Error(Code::input, message) {}
-};
 
 struct ExportOptions {
     std::string output;       // out/name.####.png or .exr
@@ -48,7 +42,9 @@ struct ExportProgress {
     int done = 0; // frames before this one
     int frame = 0;
     std::filesystem::path file;
-    double part = 0; // of the frame that is drawn; 1 while the last one is written
+    double part = 0;        // of the frame that is drawn; 1 while the last one is written
+    Pace::Seconds passed{}; // since it was begun
+    std::optional<Pace::Seconds> left{};
 };
 
 // Each may be empty. The exporting thread calls them.
@@ -72,9 +68,10 @@ struct ExportTotals {
 
 class Exporter {
 public:
-    // Throws for every failure that can be foreseen before drawing: OptionError, base::InputError
-    // for the output's name or a value out of its range at some frame, image::ImageError for the
-    // output's extension.
+    // Throws for every failure that can be foreseen before drawing: an Error (setting) for options
+    // that contradict each other, which begins with the name of one, base::InputError for the
+    // output's name or a value out of its range at some frame, image::ImageError for the output's
+    // extension.
     Exporter(scene::Scene scene, ExportOptions options);
 
     const scene::Scene& scene() const { return scene_; }
@@ -91,7 +88,8 @@ public:
     ExportTotals export_frames(gpu::Context& context, const ExportWatcher& watcher = {});
 
     // Joins the exported frames to each movie, in the requested order. Returns false if stopped.
-    // Throws the errors of sequence::write_movie().
+    // Throws the errors of sequence::write_movie(), and an Error (file) for a frame's file that is
+    // no picture any more.
     bool write_movies(const ExportWatcher& watcher = {}) const;
 
 private:

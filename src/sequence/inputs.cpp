@@ -1,8 +1,8 @@
 #include "sequence/inputs.h"
 
-#include <stdexcept>
-
 #include <fmt/format.h>
+
+#include <isomotion/error.h>
 
 #include "base/file_stamp.h"
 #include "base/printable.h"
@@ -29,9 +29,10 @@ void Inputs::expect_apart(std::string_view option, const fs::path& output) const
     if (!stamp) return;
     const auto input = files_.find({stamp->device, stamp->file});
     if (input == files_.end()) return;
-    throw std::invalid_argument(fmt::format(
-        "{} {}: would replace {}, which is read for it; name another file", option,
-        base::printable_line(output.string()), base::printable_line(input->second.string())));
+    throw Error(Error::Code::setting,
+                fmt::format("{} {}: would replace {}, which is read for it; name another file",
+                            option, base::printable_line(output.string()),
+                            base::printable_line(input->second.string())));
 }
 
 void Inputs::expect_apart(std::string_view option, const SequenceName& frames) const {

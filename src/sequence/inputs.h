@@ -23,7 +23,7 @@ public:
     // Another file that is read; empty: none.
     void add(const std::filesystem::path& file);
 
-    // Each throws std::invalid_argument, naming the option and the input, if something would be
+    // Each throws an Error (setting), naming the option and the input, if something would be
     // written over an input. Call them before anything is written. An empty name writes nothing.
     void expect_apart(std::string_view option, const std::filesystem::path& output) const;
     // The same for all frames of a name. Looks only at files that are there.

@@ -33,10 +33,26 @@ TEST(Drawing, HasPlanesOfTheSceneSize) {
     EXPECT_EQ(picture.misses + picture.hits, 64 * 48);
     // A disc of radius 12 pixels.
     EXPECT_NEAR(double(picture.hits), M_PI * 12 * 12, 10);
-    EXPECT_GT(picture.evaluations, picture.hits);
+    EXPECT_GT(picture.evaluations(), picture.hits);
+    EXPECT_EQ(picture.rays(), 64 * 48);
+    ASSERT_FALSE(picture.kinds.empty());
+    EXPECT_EQ(picture.kinds.front().name, "eye");
+    EXPECT_GT(picture.kinds.front().most, 1);
+    EXPECT_TRUE(picture.proofs.empty());
     // The eye is 5 away from the middle, whose nearest point is 4 away.
     const float depth = picture.find("Z")->values[64 * 24 + 32];
     EXPECT_NEAR(double(depth), 4, 0.01);
+}
+
+TEST(Drawing, CountsProofs) {
+    const Picture picture = Renderer(device(), ball().with("isolation.certify", "true")).draw(1);
+    std::int64_t all = 0, proved = 0;
+    for (const Picture::Proof& proof : picture.proofs) {
+        all += proof.pixels;
+        if (proof.is_proved) proved += proof.pixels;
+    }
+    EXPECT_EQ(all, 64 * 48);
+    EXPECT_GT(proved, 0.95 * double(all));
 }
 
 TEST(Drawing, BytesAreTheColoursOfThePlanes) {
@@ -80,10 +96,13 @@ TEST(Drawing, WritesFilesAndMovies) {
 
 TEST(Drawing, TellsMistakesAndStops) {
     const Told unknown = told([] { Renderer(device(), ball(), {.channels = {"depth"}}); });
-    EXPECT_EQ(unknown.code, Error::Code::input);
+    EXPECT_EQ(unknown.code, Error::Code::setting);
+    EXPECT_TRUE(unknown.words.starts_with("channels: ")) << unknown.words;
     EXPECT_NE(unknown.words.find("verdict"), std::string::npos) << unknown.words;
     EXPECT_EQ(told([] { Renderer(device(), ball(), {.width = 20'000}); }).code, Error::Code::limit);
-    EXPECT_EQ(told([] { Renderer(device(), ball(), {.width = -1}); }).code, Error::Code::input);
+    EXPECT_EQ(told([] { Renderer(device(), ball(), {.width = -1}); }).code, Error::Code::setting);
+    EXPECT_EQ(told([] { Renderer(device(), ball(), {.stage = "vertex"}); }).code,
+              Error::Code::input);
     EXPECT_EQ(told([] { Renderer(device(), ball()).draw(0); }).code, Error::Code::input);
     EXPECT_EQ(told([] { write_movie("a.avi", ball(), 1, [](int) { return Picture(); }); }).code,
               Error::Code::input);
@@ -95,7 +114,9 @@ TEST(Drawing, TellsMistakesAndStops) {
                                        "bounds = { sphere = 'r' }\n[parameters]\nr = '1 - t'\n"
                                        "[time]\nframes = 61\n");
     EXPECT_EQ(told([&] { Renderer(device(), shrinks).draw(61); }).code, Error::Code::input);
-    EXPECT_FALSE(device().name().empty());
+    EXPECT_FALSE(device().renderer().empty());
+    EXPECT_FALSE(device().version().empty());
+    EXPECT_FALSE(device().backend().empty());
 }
 
 TEST(Page, HoldsItsScene) {

@@ -47,6 +47,23 @@ TEST(Scene, ChangesByCopies) {
     EXPECT_EQ(told([&] { scene.with("", "1"); }).code, Error::Code::input);
 }
 
+TEST(Scene, TellsWhatMakesItsFramesTakeLong) {
+    const Scene scene = Scene::parse(growing);
+    EXPECT_EQ(scene.costs(), "64x48 pixels (--size)");
+    EXPECT_EQ(scene.with("output.samples", 16).with("material.transmission", 0.9).with("material.depth", 6).costs(),
+              "16 samples a pixel (--set output.samples=1), glass 6 rays deep "
+              "(material.glass.depth), 64x48 pixels (--size)");
+}
+
+TEST(Scene, KnowsNumbersOfFramesAndNamesOfMethods) {
+    EXPECT_EQ(frame_numbers("1-7x3,2"), (std::vector{1, 4, 7, 2}));
+    EXPECT_EQ(frame_numbers("3-1"), (std::vector{3, 2, 1}));
+    EXPECT_EQ(told([] { frame_numbers("1-"); }).code, Error::Code::input);
+    const std::vector<std::string> names = methods();
+    EXPECT_EQ(std::ranges::count(names, "amp-sign"), 1);
+    for (const std::string& name : names) Scene::parse(growing).with("isolation.method", name);
+}
+
 TEST(Scene, IsAFileAnAnimationOrAFormula) {
     const auto names = animations();
     ASSERT_TRUE(std::ranges::is_sorted(names));
@@ -80,6 +97,14 @@ TEST(Scene, NamesItsSurfaces) {
     EXPECT_TRUE(two.parameters(1, "b").empty());
     EXPECT_EQ(told([&] { two.parameters(1, "c"); }).code, Error::Code::input);
     EXPECT_EQ(told([&] { two.parameters(1); }).code, Error::Code::input);
+
+    const Scene alone = two.alone("b");
+    EXPECT_EQ(alone.surfaces().size(), 1u);
+    EXPECT_TRUE(alone.parameters(1).empty());
+    // It stays alone with other settings.
+    EXPECT_EQ(alone.with("output.size", "[32, 16]").surfaces().size(), 1u);
+    EXPECT_EQ(two.surfaces().size(), 2u);
+    EXPECT_EQ(told([&] { two.alone("c"); }).code, Error::Code::input);
 }
 
 TEST(Scene, TellsAllMistakesWithTheirLines) {

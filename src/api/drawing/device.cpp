@@ -1,5 +1,3 @@
-#include <fmt/format.h>
-
 #include "api/drawing/parts.h"
 #include "api/scene/errors.h"
 
@@ -34,9 +32,8 @@ Device::Device(Device&&) noexcept = default;
 Device& Device::operator=(Device&&) noexcept = default;
 Device::~Device() = default;
 
-std::string Device::name() const {
-    const gpu::ContextInfo& info = parts_->context->info();
-    return fmt::format("{}, {} ({})", info.renderer, info.version, info.backend);
-}
+std::string Device::renderer() const { return parts_->context->info().renderer; }
+std::string Device::version() const { return parts_->context->info().version; }
+std::string Device::backend() const { return parts_->context->info().backend; }
 
 } // namespace isomotion

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "api/drawing/parts.h"
+#include "api/drawing/statistics.h"
 #include "api/scene/errors.h"
 #include "base/file.h"
 #include "image/encode.h"
@@ -35,20 +36,13 @@ void Picture::write(const std::filesystem::path& file) const {
 namespace api {
 
 Picture picture_of(render::Picture drawn) {
-    using render::Verdict;
     Picture picture;
+    static_cast<RayStatistics&>(picture) =
+        statistics_of(drawn.verdicts, drawn.rays, drawn.proofs, drawn.drawing);
     picture.width = drawn.frame.width;
     picture.height = drawn.frame.height;
     for (image::Channel& channel : drawn.frame.channels)
         picture.planes.push_back({std::move(channel.name), std::move(channel.samples)});
-    const auto rays = [&](Verdict verdict) { return drawn.verdicts[std::size_t(verdict)]; };
-    picture.misses = rays(Verdict::miss);
-    picture.hits = rays(Verdict::hit);
-    picture.step_limits = rays(Verdict::step_limit);
-    picture.not_numbers = rays(Verdict::nan);
-    picture.zero_gradients = rays(Verdict::zero_gradient);
-    picture.evaluations = drawn.evaluations();
-    picture.seconds = drawn.drawing.count();
     return picture;
 }
 
@@ -67,8 +61,9 @@ std::vector<shader::Channel> channels_of(const std::vector<std::string>& names) 
         if (!channel) {
             std::vector<std::string_view> known;
             for (const auto& entry : shader::channel_names()) known.push_back(entry.name);
-            throw Error(Error::Code::input, fmt::format("there is no channel '{}'; known: {}", name,
-                                                        fmt::join(known, ", ")));
+            throw Error(Error::Code::setting,
+                        fmt::format("channels: there is no channel '{}'; known: {}", name,
+                                    fmt::join(known, ", ")));
         }
         channels.push_back(*channel);
     }

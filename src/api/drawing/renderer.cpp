@@ -4,7 +4,6 @@
 #include "api/scene/errors.h"
 #include "api/scene/parts.h"
 #include "render/exposure.h"
-#include "scene/limits.h"
 
 namespace isomotion {
 
@@ -22,13 +21,14 @@ namespace {
 render::RenderOptions options_of(const scene::Scene& scene, const RenderSettings& settings,
                                  const Watcher& watcher) {
     if (settings.width < 0 || settings.height < 0)
-        throw Error(Error::Code::input, "a picture has at least one pixel");
+        throw Error(Error::Code::setting, "width, height: a picture has at least one pixel");
     render::RenderOptions options;
     options.width = settings.width > 0 ? settings.width : scene.output.width;
     options.height = settings.height > 0 ? settings.height : scene.output.height;
-    if (std::max(options.width, options.height) > scene::limits::picture_side)
+    if (std::max(options.width, options.height) > largest_side)
         throw Error(Error::Code::limit, "a picture has at most 16384 pixels a side");
     options.channels = api::channels_of(settings.channels);
+    options.stage = render::parse_stage(settings.stage);
     options.stop = watcher.stop;
     options.warn = watcher.warn;
     if (watcher.progress)

@@ -3,7 +3,6 @@
 #include "api/scene/errors.h"
 #include "api/scene/parts.h"
 #include "roots/certify.h"
-#include "scene/limits.h"
 #include "scene/scene_at.h"
 
 namespace isomotion {
@@ -38,7 +37,7 @@ std::vector<FirstRoot> first_roots(const Scene& scene, int frame, int width, int
     return api::with_errors([&] {
         if (width < 1 || height < 1)
             throw Error(Error::Code::input, "a picture has at least one pixel");
-        if (std::max(width, height) > scene::limits::picture_side)
+        if (std::max(width, height) > largest_side)
             throw Error(Error::Code::limit, "a picture has at most 16384 pixels a side");
         const scene::Scene& all = scene.parts().scene;
         roots::Certifying how;

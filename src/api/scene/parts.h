@@ -1,6 +1,7 @@
 // What a Scene of the public header holds.
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -17,9 +18,14 @@ struct Scene::Parts {
     std::optional<std::filesystem::path> folder;
     std::vector<std::string> settings;
     Reach reach = Reach::own_folder;
+    // What was made of it once it was loaded, in order.
+    std::vector<std::function<scene::Scene(const scene::Scene&)>> changes = {};
 };
 
 namespace api {
+
+// The scene with one more change.
+Scene changed(const Scene& scene, std::function<scene::Scene(const scene::Scene&)> change);
 
 // The frame's number; throws an Error if there is no such frame.
 inline int checked_frame(int frame) {

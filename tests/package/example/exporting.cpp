@@ -10,15 +10,15 @@ int main(int count, char** words) try {
     const Scene scene = Scene::load(count > 1 ? words[1] : "meeting.toml");
     ExportSettings settings;
     settings.output = "out/meeting.####.png";
-    settings.frames = "1,31,61";
+    settings.frames = {1, 31, 61};
     settings.resume = true;
 
     Device device;
-    std::string begun;
-    Watcher watcher;
+    int begun = 0;
+    ExportWatcher watcher;
     watcher.warn = [](const std::string& text) { std::cerr << text << '\n'; };
-    watcher.progress = [&](const std::string& file, double) {
-        if (file != std::exchange(begun, file)) std::cout << file << '\n';
+    watcher.progress = [&](const ExportProgress& now) {
+        if (now.frame != std::exchange(begun, now.frame)) std::cout << now.file.string() << '\n';
     };
     for (int run = 1; run <= 2; ++run) {
         const Exported done = export_frames(device, scene, settings, watcher);

@@ -9,7 +9,9 @@ namespace isomotion {
 class Error : public std::runtime_error {
 public:
     enum class Code {
-        input,    // a scene, a setting or an argument: "file:line: key: what is wrong"
+        input,    // a scene or an argument: "file:line: key: what is wrong"
+        setting,  // a member of a struct of settings, whose name comes first: "frames: what is
+                  // wrong"
         formula,  // text of a Formula, with a caret below the mistake
         device,   // no OpenGL, no more threads, or the driver cannot do what it is asked
         file,     // the file system refuses, or a file is not what isomotion wrote
