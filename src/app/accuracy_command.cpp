@@ -64,7 +64,9 @@ Scene load(const AccuracyArguments& arguments) {
                               arguments.settings.end());
     as_render.certify = arguments.certify;
     const Scene scene = Scene::load(arguments.scene, scene_settings(as_render), arguments.reach);
-    return arguments.surface.empty() ? scene : scene.alone(arguments.surface);
+    if (arguments.surface.empty()) return scene;
+    expect_surface(scene, arguments.surface, "--surface");
+    return scene.alone(arguments.surface);
 }
 
 std::vector<int> frames_of(const AccuracyArguments& arguments, const Scene& scene) {

@@ -13,6 +13,7 @@
 #include "app/commands.h"
 #include "app/open_context.h"
 #include "base/extension.h"
+#include "base/input_error.h"
 #include "sequence/names/sequence_name.h"
 
 namespace isomotion::app {
@@ -164,6 +165,17 @@ std::vector<std::string> scene_settings(const RenderArguments& arguments) {
     if (!arguments.step.empty()) all.push_back(step_key(arguments.step));
     if (!arguments.size.empty()) all.push_back(size_key(arguments.size));
     return all;
+}
+
+void expect_surface(const Scene& scene, const std::string& name, std::string_view option) {
+    const std::vector<std::string> names = scene.surfaces();
+    if (names.size() == 1) {
+        throw base::InputError(
+            fmt::format("{}: has one surface; leave {} out", scene.title(), option));
+    }
+    if (std::ranges::find(names, name) != names.end()) return;
+    throw base::InputError(fmt::format("{} {}: the scene has no such surface; it has {}", option,
+                                       name, fmt::join(names, ", ")));
 }
 
 void expect_frames_of(std::span<const int> frames, int last) {

@@ -5,6 +5,8 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <string_view>
+#include <utility>
 #include <vector>
 
 #include "isomotion/isomotion.h"
@@ -45,6 +47,9 @@ std::vector<std::string> listed(const std::string& text);
 
 // The scene's settings that the options make, --set first.
 std::vector<std::string> scene_settings(const RenderArguments& arguments);
+
+// Throws if a scene of several surfaces has none of that name, or if there is but one.
+void expect_surface(const Scene& scene, const std::string& name, std::string_view option);
 
 // Throws if --frames names frames after the scene's last.
 void expect_frames_of(std::span<const int> frames, int last);

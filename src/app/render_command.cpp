@@ -69,13 +69,14 @@ int render(const RenderArguments& arguments) {
     std::optional<Progress> progress;
     progress.emplace("rendering", int(exporter.frames().size()), arguments.quiet);
     FrameProgress of_frame(*progress, scene.costs());
-    const ExportWatcher watcher{.stop = asked,
-                                .progress =
-                                    [&](const ExportProgress& now) {
-                                        if (now.done > 0 || now.part > 0) stop.work_has_begun();
-                                        of_frame.show(now);
-                                    },
-                                .warn = warn};
+    const ExportWatcher watcher{
+        .stop = asked,
+        .progress =
+            [&](const ExportProgress& now) {
+                if (now.done > 0 || now.part > 0) stop.work_has_begun();
+                of_frame.show(now);
+            },
+        .warn = [&](const std::string& text) { progress->tell("warning: " + text); }};
     const Exported done = exporter.write_frames(device, watcher);
     progress.reset(); // its line
     if (done.stopped) return stopped();

@@ -50,7 +50,10 @@ TEST(Scene, ChangesByCopies) {
 TEST(Scene, TellsWhatMakesItsFramesTakeLong) {
     const Scene scene = Scene::parse(growing);
     EXPECT_EQ(scene.costs(), "64x48 pixels (--size)");
-    EXPECT_EQ(scene.with("output.samples", 16).with("material.transmission", 0.9).with("material.depth", 6).costs(),
+    EXPECT_EQ(scene.with("output.samples", 16)
+                  .with("material.transmission", 0.9)
+                  .with("material.depth", 6)
+                  .costs(),
               "16 samples a pixel (--set output.samples=1), glass 6 rays deep "
               "(material.glass.depth), 64x48 pixels (--size)");
 }
@@ -145,6 +148,11 @@ TEST(FirstRoots, CanBeStoppedAndWatched) {
     EXPECT_EQ(told([&] { first_roots(scene, 0, 8, 8); }).code, Error::Code::input);
     EXPECT_EQ(told([&] { first_roots(scene, 1, 8, 1'000'000); }).code, Error::Code::limit);
     EXPECT_EQ(told([&] { scene.parameters(-1); }).code, Error::Code::input);
+}
+
+TEST(Scene, SaysWhetherSectionsCutIt) {
+    EXPECT_FALSE(Scene::parse(growing).is_cut());
+    EXPECT_TRUE(Scene::parse(std::string(growing) + "[[sections]]\nnormal = [1, 0, 0]\n").is_cut());
 }
 
 TEST(Scene, IsSharedByThreads) {

@@ -88,7 +88,7 @@ TEST_F(FindPackage, ASharedLibraryMayHoldIt) {
         << "    const auto scene = isomotion::Scene::load(\"torus\");\n"
         << "    isomotion::Device device;\n"
         << "    isomotion::Renderer(device, scene).draw(1).write(\"torus.png\");\n"
-        << "    return isomotion::topology_of(scene).summary + isomotion::page_of(scene);\n"
+        << "    return isomotion::topology_of(scene).summary() + isomotion::page_of(scene);\n"
         << "}\n";
     const cli::Ending configured = configure(project.path(), project / "build");
     ASSERT_EQ(configured.code, 0) << configured;

@@ -24,6 +24,9 @@ struct Scene::Parts {
 
 namespace api {
 
+// The scene loaded again with so many frames.
+Scene with_frames(const Scene& scene, int frames);
+
 // The scene with one more change.
 Scene changed(const Scene& scene, std::function<scene::Scene(const scene::Scene&)> change);
 

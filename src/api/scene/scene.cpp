@@ -45,6 +45,15 @@ Scene api::changed(const Scene& scene, std::function<scene::Scene(const scene::S
     });
 }
 
+Scene api::with_frames(const Scene& scene, int frames) {
+    Scene::Parts parts = scene.parts();
+    std::erase_if(parts.settings, [](const std::string& setting) {
+        return setting.starts_with("time.seconds=") || setting.starts_with("time.frames=");
+    });
+    parts.settings.push_back(fmt::format("time.frames={}", frames));
+    return loaded(std::move(parts));
+}
+
 void set_data_folder(const fs::path& folder) { scene::set_data_folder(folder); }
 
 std::vector<std::string> animations() {
@@ -88,7 +97,7 @@ Scene Scene::with(const std::string& key, double value) const {
 
 Scene Scene::alone(const std::string& surface) const {
     return api::changed(*this, [surface](const scene::Scene& scene) {
-        return scene::alone({scene, scene::surface_named(scene, surface)});
+        return scene::alone({scene, scene::surface_named(scene, surface, "surface")});
     });
 }
 
@@ -118,6 +127,7 @@ double Scene::time(int frame) const { return parts_->scene.timeline.time(frame);
 int Scene::poster() const { return parts_->scene.output.poster; }
 int Scene::width() const { return parts_->scene.output.width; }
 int Scene::height() const { return parts_->scene.output.height; }
+bool Scene::is_cut() const { return !parts_->scene.sections.empty(); }
 
 std::string Scene::costs() const {
     const scene::Scene& scene = parts_->scene;

@@ -1,10 +1,17 @@
+#include <array>
+#include <utility>
+
 #include <fmt/format.h>
 
 #include "api/scene/errors.h"
 #include "api/scene/parts.h"
+#include "api/topology/parts.h"
 #include "probe/found_bounds.h"
+#include "scene/scene_at.h"
 #include "scene/surfaces.h"
 #include "topology/subject.h"
+#include "topology/timeline/betti_csv.h"
+#include "topology/timeline/contact_words.h"
 #include "topology/timeline/summary.h"
 #include "topology/timeline/timeline_file.h"
 #include "topology/timeline/words.h"
@@ -18,8 +25,10 @@ topology::Subject subject_of(const scene::Scene& scene, const TopologySettings& 
     const std::size_t first = scene::surface_named(scene, settings.surface, "surface");
     if (settings.touching.empty()) return topology::subject_of(scene, first);
     const std::size_t second = scene::surface_named(scene, settings.touching, "touching");
-    if (first == second)
-        throw Error(Error::Code::input, "a surface touches another one: name two of the scene");
+    if (first == second) {
+        throw Error(Error::Code::setting,
+                    fmt::format("touching {}: a surface touches another one", settings.touching));
+    }
     return topology::subject_of(scene, first, second);
 }
 
@@ -35,37 +44,77 @@ topology::Certify certify_of(TopologySettings::Certify certify) {
     return topology::Certify::full;
 }
 
-topology::AnalyseOptions options_of(const topology::Subject& subject,
-                                    const TopologySettings& settings, const Watcher& watcher) {
+void check_settings(const TopologySettings& settings, int last) {
+    using Certify = TopologySettings::Certify;
+    if (!(1 <= settings.first && settings.first < last)) {
+        throw Error(
+            Error::Code::setting,
+            fmt::format("first, last: frames {} to {}: a timeline needs two frames, counted from 1",
+                        settings.first, last));
+    }
+    if (settings.grid && (*settings.grid < 8 || *settings.grid > 1024)) {
+        throw Error(Error::Code::setting,
+                    fmt::format("grid {}: write vertices along a side, 8 to 1024", *settings.grid));
+    }
+    if (settings.grid && settings.certify == Certify::full) {
+        throw Error(Error::Code::setting,
+                    "grid: proofs use no grid; write it with --certify off or fast");
+    }
+    if (!settings.touching.empty() && settings.certify != Certify::full) {
+        throw Error(Error::Code::setting,
+                    "certify: contact of surfaces is proved or not found, with `full`");
+    }
+}
+
+// The solid that the settings say, otherwise what topology::solid_side() says.
+topology::Side solid_of(const scene::OneSurface& one, const std::vector<Solid>& settings) {
+    std::optional<bool> is_negative;
+    for (const std::string& name : {std::string(), one.surface.label}) {
+        for (const Solid& solid : settings) {
+            if (solid.surface == name) is_negative = solid.is_negative;
+        }
+    }
+    if (!is_negative) return topology::solid_side(one);
+    return *is_negative ? topology::Side::negative : topology::Side::positive;
+}
+
+// All that a search needs. It refers to the scene.
+struct Search {
+    topology::Subject subject;
+    topology::AnalyseOptions how;
+    topology::TimelineHeader header;
+};
+
+Search search_of(const scene::Scene& scene, const TopologySettings& settings) {
     topology::AnalyseOptions how;
     how.certify = certify_of(settings.certify);
     how.first = settings.first;
-    how.last = settings.last != 0 ? settings.last : subject.first.scene.timeline.frames;
+    how.last = settings.last != 0 ? settings.last : scene.timeline.frames;
+    how.grid = settings.grid;
     how.threads = settings.threads;
-    if (!(1 <= how.first && how.first < how.last)) {
-        throw Error(Error::Code::input,
-                    fmt::format("frames {} to {}: a timeline needs two frames, counted from 1",
-                                how.first, how.last));
-    }
-    const auto solid = [&](const scene::OneSurface& one) {
-        if (!settings.solid_is_negative) return topology::solid_side(one);
-        return *settings.solid_is_negative ? topology::Side::negative : topology::Side::positive;
-    };
-    how.solids[0] = solid(subject.first);
-    how.solids[1] = subject.second ? solid(*subject.second) : how.solids[0];
-    how.stop = watcher.stop;
-    how.progress = watcher.progress;
-    return how;
+    check_settings(settings, how.last);
+    topology::Subject subject = subject_of(scene, settings);
+    const topology::Side first = solid_of(subject.first, settings.solid);
+    const std::array solids{first,
+                            subject.second ? solid_of(*subject.second, settings.solid) : first};
+    how.solids = {solids[0], solids[1]};
+    const formula::Interval range{scene.timeline.time(how.first), scene.timeline.time(how.last)};
+    topology::TimelineHeader header = topology::header_of(subject, range, solids);
+    return {std::move(subject), std::move(how), std::move(header)};
 }
 
 // Bounds that had to be found hold the scene's own frames: a scene of more frames has others.
 Scene with_bounds_of_all(const Scene& scene, const TopologySettings& settings) {
     if (settings.last <= scene.frames() || !probe::are_bounds_found(scene.parts().scene))
         return scene;
-    return scene.with("time.frames", settings.last);
+    return api::with_frames(scene, settings.last);
 }
 
 Interval interval(const formula::Interval& from) { return {from.lo, from.hi}; }
+
+Box box(const std::array<formula::Interval, 3>& from) {
+    return {interval(from[0]), interval(from[1]), interval(from[2])};
+}
 
 std::optional<Betti> betti(const std::optional<topology::Betti>& from) {
     if (!from) return std::nullopt;
@@ -75,42 +124,82 @@ std::optional<Betti> betti(const std::optional<topology::Betti>& from) {
 TopologyEvent event_of(const topology::Event& from) {
     return {.kind = std::string(topology::name(from.kind)),
             .time = interval(from.time),
-            .where = {interval(from.where[0]), interval(from.where[1]), interval(from.where[2])},
+            .where = box(from.where),
             .proved = from.is_proved,
             .before = betti(from.before),
             .after = betti(from.after)};
 }
 
+std::vector<Solid> solids_of(const topology::Subject& subject,
+                             const topology::TimelineHeader& header) {
+    std::vector<Solid> solids{{subject.first.surface.label, header.solids[0] < 0}};
+    if (subject.second) solids.push_back({subject.second->surface.label, header.solids[1] < 0});
+    return solids;
+}
+
 } // namespace
+
+Topology::Topology(std::shared_ptr<const Parts> parts)
+    : parts_(std::move(parts)) {
+    const topology::TimelineRecord& record = parts_->record;
+    const topology::Timeline& timeline = record.timeline;
+    for (const topology::Event& event : timeline.events) {
+        // On the bounds, where nothing changes, an event is no change of topology.
+        if (event.kind != topology::Kind::none) events.push_back(event_of(event));
+    }
+    for (const topology::Unresolved& place : timeline.unresolved) {
+        unresolved.push_back({.time = interval(place.time),
+                              .where = box(place.where),
+                              .why = place.why,
+                              .before = betti(place.before),
+                              .after = betti(place.after)});
+    }
+    start = betti(timeline.start);
+    end = betti(timeline.end);
+    complete = timeline.is_complete();
+    doubts = topology::gaps(timeline, record.header.fps);
+    solids = solids_of(subject_of(parts_->scene.parts().scene, parts_->settings), record.header);
+}
+
+std::string Topology::summary() const { return topology::summary(parts_->record); }
+std::string Topology::json() const { return topology::to_json(parts_->record); }
+std::string Topology::csv() const { return topology::betti_csv(parts_->record); }
+
+std::string Topology::contact() const {
+    return api::with_errors([&] {
+        const auto subject = subject_of(parts_->scene.parts().scene, parts_->settings);
+        if (!subject.second) return std::string();
+        const auto to_world = [&](double time, const std::array<double, 3>& place) {
+            const scene::SurfaceAt now = scene::surface_at(subject.first, time);
+            const glm::dvec3 at = now.placement.to_world({place[0], place[1], place[2]});
+            return std::array{at.x, at.y, at.z};
+        };
+        return topology::contact_text(
+            {subject.first.surface.label, subject.second->surface.label, to_world},
+            parts_->record.timeline, parts_->record.header.fps);
+    });
+}
+
+std::string topology_plan(const Scene& scene, const TopologySettings& settings) {
+    return api::with_errors([&] {
+        const Scene searched = with_bounds_of_all(scene, settings);
+        return search_of(searched.parts().scene, settings).header.title;
+    });
+}
 
 Topology topology_of(const Scene& scene, const TopologySettings& settings, const Watcher& watcher) {
     return api::with_errors([&] {
         const Scene searched = with_bounds_of_all(scene, settings);
-        const topology::Subject subject = subject_of(searched.parts().scene, settings);
-        const topology::AnalyseOptions how = options_of(subject, settings, watcher);
-        if (watcher.warn) {
-            for (const std::string& why : topology::why_unbounded(subject, how.first))
-                watcher.warn(why);
+        Search search = search_of(searched.parts().scene, settings);
+        search.how.stop = watcher.stop;
+        search.how.progress = watcher.progress;
+        // Where F has no bounds, all that the search tells is that it could not prove anything.
+        for (const std::string& why : topology::why_unbounded(search.subject, search.how.first)) {
+            if (watcher.warn) watcher.warn(why);
         }
-        const animation::Timeline& time = subject.first.scene.timeline;
-        topology::TimelineRecord record{
-            topology::header_of(subject, {time.time(how.first), time.time(how.last)},
-                                {*how.solids[0], *how.solids[1]}),
-            {}};
-        record.timeline = topology::analyse(subject, how);
-        const topology::Timeline& timeline = record.timeline;
-        Topology found;
-        found.start = betti(timeline.start);
-        found.end = betti(timeline.end);
-        found.complete = timeline.is_complete();
-        found.doubts = topology::gaps(timeline, record.header.fps);
-        found.summary = topology::summary(record);
-        found.json = topology::to_json(record);
-        for (const topology::Event& event : timeline.events) {
-            // On the bounds, where nothing changes, an event is no change of topology.
-            if (event.kind != topology::Kind::none) found.events.push_back(event_of(event));
-        }
-        return found;
+        topology::Timeline timeline = topology::analyse(search.subject, search.how);
+        Topology::Parts parts{searched, settings, {std::move(search.header), std::move(timeline)}};
+        return Topology(std::make_shared<const Topology::Parts>(std::move(parts)));
     });
 }
 

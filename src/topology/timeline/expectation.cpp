@@ -246,21 +246,6 @@ Check check(const Expectation& expectation, const TimelineRecord& found, double 
     return check(std::get<Claims>(expectation), found);
 }
 
-double parse_dt(std::string_view text, animation::FrameRate fps) {
-    double number = 0;
-    const char* last = text.data() + text.size();
-    const auto [end, error] = std::from_chars(text.data(), last, number);
-    std::string_view unit(end, std::size_t(last - end));
-    while (unit.starts_with(' ')) unit.remove_prefix(1);
-    const bool in_frames = unit == "frames" || unit == "frame";
-    const bool is_amount = error == std::errc{} && std::isfinite(number) && number >= 0;
-    if (!is_amount || !(in_frames || unit.empty() || unit == "s")) {
-        throw std::invalid_argument(fmt::format(
-            "--dt {}: write seconds, 0 or more: 1e-9; or frames: \"0.5 frames\"", text));
-    }
-    return in_frames ? number * double(fps.denominator) / double(fps.numerator) : number;
-}
-
 std::string text(const Check& check, const std::string& path) {
     const std::string file = base::printable_line(path);
     std::string lines;

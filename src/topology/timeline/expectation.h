@@ -44,10 +44,6 @@ Check check(const Claims& claims, const TimelineRecord& found);
 // std::invalid_argument if it is negative or not finite.
 Check check(const Expectation& expectation, const TimelineRecord& found, double dt = 1e-9);
 
-// Parses "0.001", "0.001 s" or "2 frames" to seconds. Throws std::invalid_argument for anything
-// else and for negative values.
-double parse_dt(std::string_view text, animation::FrameRate fps);
-
 // For the terminal: the differences, the undecided points, the verdict.
 std::string text(const Check& check, const std::string& file);
 

@@ -79,16 +79,6 @@ TEST(Expectation, OneToleranceIsThatOfAllItsLoneFrames) {
     EXPECT_THAT(mistake(R"({"tolerance": "2", "events": ["merge"]})"), HasSubstr("tolerance: "));
 }
 
-TEST(Expectation, HowMuchEventsMayHaveMovedIsInSecondsOrFrames) {
-    EXPECT_EQ(parse_dt("1e-9", fps), 1e-9);
-    EXPECT_EQ(parse_dt("0.25 s", fps), 0.25);
-    EXPECT_DOUBLE_EQ(parse_dt("2 frames", fps), 0.2);
-    EXPECT_DOUBLE_EQ(parse_dt("0.5frame", {30000, 1001}), 0.5 * 1001 / 30000);
-    for (const char* wrong :
-         {"", "-1", "nan", "inf", "1e999", "frames", "1 fps", "1 s s", "-1 frame"})
-        EXPECT_THROW(parse_dt(wrong, fps), std::invalid_argument) << wrong;
-}
-
 TEST(Expectation, AtTheMomentOfAnEventNumbersAreOpen) {
     const Check instant = of(R"({"components": {"10.5": 3}})");
     EXPECT_EQ(instant.outcome(), Outcome::incomplete);

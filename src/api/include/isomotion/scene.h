@@ -104,6 +104,7 @@ public:
     int poster() const; // the frame that represents the animation
     int width() const;  // pixels of its pictures
     int height() const;
+    bool is_cut() const; // sections cut what is seen of it
     // What makes its frames take long, and what to set for less: "16 samples a pixel (--set
     // output.samples=1), 512x512 pixels (--size)".
     std::string costs() const;
