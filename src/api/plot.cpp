@@ -1,5 +1,7 @@
 #include <cmath>
 
+#include <fmt/format.h>
+
 #include "api/drawing/parts.h"
 #include "api/scene/errors.h"
 #include "api/scene/parts.h"

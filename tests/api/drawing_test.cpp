@@ -76,6 +76,18 @@ TEST(Drawing, IsTheSameAgainAndOfAnotherSizeIfAsked) {
     EXPECT_EQ(wide.draw(1).width, 96);
 }
 
+TEST(Drawing, ShowsWhatThereIsAfterEachSample) {
+    Renderer renderer(device(), ball().with("output.samples", 4));
+    std::vector<std::string> told_of;
+    const Picture whole =
+        renderer.draw(1, [&](const Picture& now) { told_of.push_back(now.fingerprint()); });
+    ASSERT_EQ(told_of.size(), 4u);
+    EXPECT_NE(told_of[0], told_of[3]);
+    EXPECT_EQ(told_of[3], whole.fingerprint());
+    EXPECT_EQ(whole.fingerprint(), renderer.draw(1).fingerprint());
+    EXPECT_EQ(whole.rays(), 4 * 64 * 48);
+}
+
 TEST(Drawing, WritesFilesAndMovies) {
     const fs::path folder = fs::temp_directory_path() / "isomotion_api_drawing_test";
     fs::create_directories(folder);
@@ -117,6 +129,16 @@ TEST(Drawing, TellsMistakesAndStops) {
     EXPECT_FALSE(device().renderer().empty());
     EXPECT_FALSE(device().version().empty());
     EXPECT_FALSE(device().backend().empty());
+}
+
+// tests/unit/gpu compiles it.
+TEST(Glsl, HasWhatAFormulaNeeds) {
+    const std::string text = glsl_of(Formula("x^2 + b*y + sin(a*z)", {{"a", 1}, {"b", 2}}));
+    EXPECT_TRUE(text.starts_with("#version 330"));
+    for (const char* part : {"uniform vec4 parameters[1];", "float field(vec3 p)",
+                             "vec3 field_gradient(vec3 p)", "im_sin"})
+        EXPECT_NE(text.find(part), std::string::npos) << part;
+    EXPECT_EQ(glsl_of(Formula("x - y")).find("parameters"), std::string::npos);
 }
 
 TEST(Page, HoldsItsScene) {

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <utility>
 
 #include "api/drawing/parts.h"
 #include "api/scene/errors.h"
@@ -50,10 +51,18 @@ Renderer::Renderer(Renderer&&) noexcept = default;
 Renderer& Renderer::operator=(Renderer&&) noexcept = default;
 Renderer::~Renderer() = default;
 
-Picture Renderer::draw(int frame) {
+Picture Renderer::draw(int frame, const std::function<void(const Picture&)>& so_far) {
     return api::with_errors([&] {
-        return api::picture_of(render::expose(parts_->renderer, parts_->scene.parts().scene,
-                                              api::checked_frame(frame)));
+        render::Renderer& renderer = parts_->renderer;
+        const render::FrameInputs inputs =
+            renderer.prepare(parts_->scene.parts().scene, api::checked_frame(frame));
+        if (!so_far) return api::picture_of(render::expose(renderer, inputs));
+        render::Exposure exposure;
+        for (const render::PictureInputs& picture : inputs.pictures) {
+            exposure.add(renderer.draw(picture));
+            so_far(api::picture_of(exposure.mean()));
+        }
+        return api::picture_of(std::move(exposure).mean());
     });
 }
 

@@ -3,8 +3,8 @@
 #include <fmt/format.h>
 
 #include "api/scene/errors.h"
+#include "api/scene/formula_parts.h"
 #include "formula/enclosure.h"
-#include "formula/field.h"
 
 namespace isomotion {
 namespace {
@@ -31,19 +31,6 @@ formula::Field field_of(std::string_view text, const std::map<std::string, doubl
 }
 
 } // namespace
-
-// The field is shared by copies with other values.
-struct Formula::Parts {
-    std::shared_ptr<const formula::Field> field;
-    std::map<std::string, double> parameters;
-    formula::Bindings<double> bindings{};
-
-    Parts(std::shared_ptr<const formula::Field> shared, std::map<std::string, double> values)
-        : field(std::move(shared))
-        , parameters(std::move(values)) {
-        for (const auto& [name, value] : parameters) bindings.parameters.push_back(value);
-    }
-};
 
 Formula::Formula(std::string_view text, std::map<std::string, double> parameters) {
     parts_ = with_errors([&] {

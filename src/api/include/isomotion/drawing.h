@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <string>
 #include <string_view>
@@ -94,11 +95,19 @@ public:
     Renderer(Renderer&&) noexcept;
     Renderer& operator=(Renderer&&) noexcept;
     ~Renderer();
-    Picture draw(int frame);
+    // `so_far` is given the mean after each sample of the frame.
+    Picture draw(int frame, const std::function<void(const Picture&)>& so_far = {});
 
 private:
     struct Parts;
     std::unique_ptr<Parts> parts_;
 };
+
+// The head of a fragment or compute shader, from its #version (3.30) on, in which are
+//     float field(vec3 p);
+//     vec3 field_gradient(vec3 p);
+//     uniform vec4 parameters[]; of the formula by name: the first is parameters[0].x
+// with the functions that they call. Numbers are of 32 bits: beyond 1e30 they stay there.
+std::string glsl_of(const Formula& formula);
 
 } // namespace isomotion

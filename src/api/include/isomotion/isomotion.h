@@ -8,11 +8,11 @@
 // Lengths are in scene units, times in seconds, frames count from 1. Coordinates of formulas,
 // roots and events are those of the formula; those of a placed surface differ from the world's.
 //
-// Functions throw Error, or std::bad_alloc. Objects but Device and Renderer are values that never
-// change: copies are cheap, and all threads may use them. A Device and its Renderers belong to the
-// thread that made the Device. Several threads may have one each if all are of one kind and the
-// first was made before the other threads began. Callbacks must not throw. Proofs and bounds hold
-// while processors round to nearest, as they do unless a program changes it.
+// Functions throw Error, or std::bad_alloc. Objects but Device, Renderer and Exporter are values
+// that never change: copies are cheap, and all threads may use them. A Device and what draws with
+// it belong to the thread that made the Device. Several threads may have one each if all are of one
+// kind and the first was made before the other threads began. Callbacks must not throw. Proofs and
+// bounds hold while processors round to nearest, as they do unless a program changes it.
 #pragma once
 
 #include <isomotion/accuracy.h>

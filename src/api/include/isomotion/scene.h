@@ -64,8 +64,10 @@ public:
     Formula(const Formula&) = default;
     Formula& operator=(const Formula&) = default;
 
+    struct Parts; // for isomotion itself
+    const Parts& parts() const { return *parts_; }
+
 private:
-    struct Parts;
     std::shared_ptr<const Parts> parts_;
 };
 
