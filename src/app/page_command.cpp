@@ -18,7 +18,6 @@
 #include "base/file.h"
 #include "isomotion/isomotion.h"
 #include "page/gallery.h"
-#include "sequence/movies/movie.h"
 
 namespace isomotion::app {
 namespace fs = std::filesystem;
@@ -73,7 +72,8 @@ std::vector<std::byte> movie_of(const PageArguments& arguments, const Scene& sce
         "output.size", fmt::format("[{}, {}]", even(scene.width()), even(scene.height())));
     const Workplace folder;
     const fs::path movie = folder / "movie.mp4";
-    sequence::expect_ffmpeg();
+    Exporter exporter(small, {.output = folder / "frame.####.png", .movies = {movie}, .audit = 0});
+    exporter.prepare(); // without ffmpeg nothing is drawn
     Device device = open_device(arguments.backend);
     const StopOnSignal stop;
     Progress progress("drawing the movie", scene.frames(), arguments.quiet);
@@ -82,11 +82,9 @@ std::vector<std::byte> movie_of(const PageArguments& arguments, const Scene& sce
         .progress = [&](const ExportProgress& now) { progress.show(now.done + now.part); },
         .warn = warn};
     stop.work_has_begun();
-    const Exported done = export_frames(
-        device, small,
-        {.output = folder / "frame.####.png", .frames = {}, .movies = {movie}, .audit = 0},
-        watcher);
-    return done.stopped ? std::vector<std::byte>() : base::read_whole(movie);
+    const bool is_whole =
+        !exporter.write_frames(device, watcher).stopped && exporter.write_movies(watcher.stop);
+    return is_whole ? base::read_whole(movie) : std::vector<std::byte>();
 }
 
 // NAME.accuracy beside NAME.toml, where there is such a report.
