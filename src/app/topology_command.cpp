@@ -320,7 +320,7 @@ int search(const TopologyArguments& arguments) {
     // The judgement is told first, so that no file that fails to be written keeps it back.
     int code = certify == Certify::full && !found.doubts.empty() ? exit_open : exit_done;
     if (expectation)
-        code = judged(arguments, check(found, *expectation, dt.seconds(scene.frames_per_second())));
+        code = judged(arguments, expectation->check(found, dt.seconds(scene.frames_per_second())));
     const int undrawn = write_files(arguments, found, stop);
     if (is_whole && undrawn == 0) return code;
     if (is_whole) {

@@ -165,7 +165,7 @@ protected:
     }
     static TopologyCheck checked(const Scene& scene, const std::filesystem::path& expected,
                                  double dt = 1e-9) {
-        return check(topology_of(scene), Expectation(expected, scene), dt);
+        return Expectation(expected, scene).check(topology_of(scene), dt);
     }
 
     std::filesystem::path folder_ =

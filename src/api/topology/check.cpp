@@ -33,15 +33,14 @@ Expectation::Expectation(const std::filesystem::path& file, const Scene& scene) 
     });
 }
 
-TopologyCheck check(const Topology& found, const Expectation& expected, double dt) {
+TopologyCheck Expectation::check(const Topology& found, double dt) const {
     return api::with_errors([&] {
-        topology::Check judged =
-            topology::check(expected.parts().expectation, found.parts().record, dt);
+        topology::Check judged = topology::check(parts_->expectation, found.parts().record, dt);
         return TopologyCheck{.outcome = outcome_of(judged.outcome()),
                              .differences = judged.differences,
                              .undecided = judged.undecided,
                              .agreed = judged.agreed,
-                             .summary = topology::text(judged, expected.parts().file.string())};
+                             .summary = topology::text(judged, parts_->file.string())};
     });
 }
 

@@ -87,7 +87,8 @@ public:
     // The text of a scene file (TOML). Files that it names are looked for in `folder`.
     static Scene parse(std::string_view text, const std::vector<std::string>& settings = {},
                        const std::filesystem::path& folder = ".", Reach reach = Reach::own_folder);
-    // The same scene, loaded again with one more setting.
+    // The same scene, loaded again with one more setting; what alone() and choose_methods() made of
+    // it stays.
     Scene with(const std::string& key, const std::string& value) const;
     Scene with(const std::string& key, double value) const;
     // The same scene without its other [[surfaces]].

@@ -90,20 +90,6 @@ std::string topology_plan(const Scene& scene, const TopologySettings& settings =
 Topology topology_of(const Scene& scene, const TopologySettings& settings = {},
                      const Watcher& watcher = {});
 
-// What a topology should be: a timeline of an earlier run, or claims of a person in JSON or TOML
-// (docs/topology.md).
-class Expectation {
-public:
-    // Frames of claims are at the scene's rate.
-    Expectation(const std::filesystem::path& file, const Scene& scene);
-
-    struct Parts; // for isomotion itself
-    const Parts& parts() const { return *parts_; }
-
-private:
-    std::shared_ptr<const Parts> parts_;
-};
-
 struct TopologyCheck {
     enum class Outcome {
         passes,
@@ -116,7 +102,18 @@ struct TopologyCheck {
     std::string summary;    // lines for people
 };
 
-// `dt`: by how many seconds events may have moved from those of an earlier run.
-TopologyCheck check(const Topology& found, const Expectation& expected, double dt = 1e-9);
+// What a topology should be: a timeline of an earlier run, or claims of a person in JSON or TOML
+// (docs/topology.md).
+class Expectation {
+public:
+    // Frames of claims are at the scene's rate.
+    Expectation(const std::filesystem::path& file, const Scene& scene);
+    // `dt`: by how many seconds events may have moved from those of an earlier run.
+    TopologyCheck check(const Topology& found, double dt = 1e-9) const;
+
+private:
+    struct Parts;
+    std::shared_ptr<const Parts> parts_;
+};
 
 } // namespace isomotion
