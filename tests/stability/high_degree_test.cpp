@@ -1,6 +1,6 @@
 // Chmutov surfaces of order 12 to 50: T_n(x) + T_n(y) + T_n(z) + c by the recurrence, which is what
 // chebyshev() does, by cosines and in powers. All have the same points and differ in rounding.
-#include "stability/hard_case.h"
+#include "scenes/hard_case.h"
 
 #include <cmath>
 
@@ -47,7 +47,7 @@ std::string term(int n, Form form, const std::string& x) {
 
 // An eighth of the paper's step, so that what is wrong comes from rounding.
 std::string chmutov(int n, Form form) {
-    const scene::Scene from = render::scene_of(surface(fmt::format("chmutov_{}", n)));
+    const scene::Scene from = render::scene_of(fmt::format("[surface]\nuse = 'chmutov_{}'\n", n));
     const scene::Isolation& isolation = from.surfaces[0].isolation;
     const scene::SceneAt now = scene::at_frame(from, 1);
     return fmt::format("[surface]\nformula = \"{} + {} + {} + c\"\nbounds = {{ box = [[{}, {}, "

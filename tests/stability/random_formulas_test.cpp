@@ -1,6 +1,6 @@
 // The method that nobody had to choose on random formulas of every class: tests/bench/random draws
 // many more.
-#include "stability/hard_case.h"
+#include "scenes/hard_case.h"
 
 #include <cstdlib>
 

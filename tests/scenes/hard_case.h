@@ -37,8 +37,6 @@ struct HardCase {
     bool is_drawn_by_chance = false; // no row of the table
 };
 
-inline void PrintTo(const HardCase& a_case, std::ostream* out) { *out << a_case.name; }
-
 // What was drawn with a method and what of it is wrong. `crooked` counts the hits whose position or
 // normal is not a number or whose normal has no unit length.
 struct Looked {
@@ -56,12 +54,5 @@ Looked look(const HardCase& a_case, scene::Method method);
 // with each method that has a bound, and expects the bounds to hold: no NaN, no ray out of steps,
 // nothing crooked either.
 void expect_bounds(const HardCase& a_case);
-
-// The scene text of a surface of the catalogue, with lines for further sections.
-std::string surface(const std::string& name, const std::string& more = {});
-
-class Stability : public testing::TestWithParam<HardCase> {};
-
-std::string test_name(const testing::TestParamInfo<HardCase>& info);
 
 } // namespace isomotion::stability

@@ -1,5 +1,5 @@
-// Size and place of a scene change nothing: neither by its placement nor by its formula.
-#include "stability/hard_case.h"
+// Size and place of a scene change nothing: any_size.toml changes them by the formula.
+#include "scenes/hard_case.h"
 
 #include <fmt/format.h>
 
@@ -8,8 +8,6 @@
 
 namespace isomotion::stability {
 namespace {
-
-using scene::Method;
 
 int different(const render::Picture& a, const render::Picture& b) {
     const auto& x = a.frame.find("verdict")->samples;
@@ -68,47 +66,6 @@ std::vector<std::string> animations() {
 
 INSTANTIATE_TEST_SUITE_P(Stability, Placed, testing::ValuesIn(animations()),
                          [](const auto& tested) { return tested.param; });
-
-// The same shape in another unit of length: nothing but the formula and its bounds says so.
-struct Shape {
-    std::string name, formula; // of r
-};
-void PrintTo(const Shape& shape, std::ostream* out) { *out << shape.name; }
-
-class OfAnySize : public testing::TestWithParam<Shape> {};
-
-HardCase sized(const Shape& shape, double r) {
-    return {fmt::format("{} of {:g}", shape.name, r),
-            fmt::format("[surface]\nformula = \"{}\"\nbounds = {{ sphere = {} }}\n"
-                        "[parameters]\nr = {}\n[camera]\nazimuth = 34\nelevation = 23\n",
-                        shape.formula, 1.8 * r, r),
-            {}};
-}
-
-TEST_P(OfAnySize, IsDrawnLikeTheUnitOne) {
-    for (const Method method : {Method::hermite, Method::amp_sign, Method::amp_taylor}) {
-        SCOPED_TRACE(std::string(scene::name(method)));
-        const Looked unit = look(sized(GetParam(), 1), method);
-        EXPECT_GT(unit.hits, 1000);
-        for (const double r : {1e-8, 1e-4, 1e5, 1e8}) {
-            SCOPED_TRACE(fmt::format("r = {}", r));
-            const Looked other = look(sized(GetParam(), r), method);
-            EXPECT_LE(different(unit.picture, other.picture), 4);
-            EXPECT_LE(other.errors.wrong_ppm(), unit.errors.wrong_ppm() + 200);
-            EXPECT_EQ(other.crooked, 0);
-        }
-    }
-}
-
-INSTANTIATE_TEST_SUITE_P(
-    Stability, OfAnySize,
-    testing::Values(Shape{"sphere", "x^2 + y^2 + z^2 - r^2"},
-                    Shape{"torus", "(x^2 + y^2 + z^2 + 0.75*r^2)^2 - 4*r^2*(x^2 + y^2)"},
-                    Shape{"octahedron", "abs(x) + abs(y) + abs(z) - r"},
-                    Shape{"Gaussians",
-                          "exp(-((x - r/2)^2 + y^2 + z^2)/r^2) + exp(-((x + r/2)^2 + y^2 + "
-                          "z^2)/r^2) - 0.7"}),
-    [](const auto& tested) { return tested.param.name; });
 
 } // namespace
 } // namespace isomotion::stability

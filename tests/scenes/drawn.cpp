@@ -1,0 +1,147 @@
+#include "scenes/drawn.h"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "render/exposure.h"
+#include "scene/rays.h"
+#include "scene/reading/load.h"
+#include "shader/assemble.h"
+
+namespace isomotion::scenes {
+namespace {
+
+struct Layer {
+    const char *name, *layer; // in a statement, and in the picture
+};
+constexpr Layer layers[] = {{"R", "R"},
+                            {"G", "G"},
+                            {"B", "B"},
+                            {"A", "A"},
+                            {"Z", "Z"},
+                            {"x", "P.X"},
+                            {"y", "P.Y"},
+                            {"z", "P.Z"},
+                            {"nx", "N.X"},
+                            {"ny", "N.Y"},
+                            {"nz", "N.Z"},
+                            {"verdict", "verdict"},
+                            {"evaluations", "evaluations"},
+                            {"surface", "surface"},
+                            {"cap", "cap"},
+                            {"proof", "proof"},
+                            {"velocity", "velocity.N"},
+                            {"velocity_x", "velocity.X"},
+                            {"velocity_y", "velocity.Y"}};
+
+constexpr const char* of_every_pixel[] = {"hit", "found", "u",  "v",  "column", "row",
+                                          "ox",  "oy",    "oz", "dx", "dy",     "dz"};
+
+constexpr const char* totals[] = {"hits",      "finds",      "misses",       "nans",   "limits",
+                                  "passes",    "total",      "eye",          "shadow", "path",
+                                  "occlusion", "undecided",  "most_shadow",  "width",  "height",
+                                  "by_place",  "have_lists", "take_gradient"};
+
+render::Picture picture_of(gpu::Context& context, const scene::Scene& scene,
+                           const scene::SceneAt& now, const Look& look) {
+    using shader::Channel;
+    render::RenderOptions options{scene.output.width, scene.output.height};
+    options.channels = {Channel::depth, Channel::normal, Channel::position, Channel::verdict,
+                        Channel::evaluations};
+    if (scene.surfaces.size() > 1) options.channels.push_back(Channel::surface);
+    if (!now.sections.empty()) options.channels.push_back(Channel::cap);
+    options.channels.insert(options.channels.end(), look.channels.begin(), look.channels.end());
+    options.plan = look.plan;
+    options.stage = look.stage;
+    render::Renderer renderer(context, scene, options);
+    if (scene.output.samples > 1) return render::expose(renderer, scene, look.frame);
+    if (!renderer.needs_motion()) return renderer.draw(now);
+    const render::Motion motion = render::motion_about(scene, look.frame);
+    return renderer.draw(now, {}, &motion);
+}
+
+std::vector<std::string> prefixed(const std::string& prefix, std::span<const char* const> names) {
+    std::vector<std::string> all;
+    for (const char* name : names) all.push_back(prefix + name);
+    return all;
+}
+
+} // namespace
+
+std::string key_of(const std::string& scene, const Look& look) {
+    std::string key = with_values(scene, look.with);
+    for (const std::string& setting : look.set) key += "\n--set " + setting;
+    for (const shader::Channel channel : look.channels) key += fmt::format("\n{}", int(channel));
+    const render::MarchPlan plan = look.plan.value_or(render::MarchPlan{});
+    return key + fmt::format("\n{} {} {} {} {}", look.frame, int(look.stage), plan.tile_width,
+                             plan.tile_height, plan.evaluations_per_pass);
+}
+
+Drawn draw(gpu::Context& context, const std::string& scene, const std::string& file,
+           const Look& look) {
+    Drawn drawn{
+        scene::load_text(with_values(scene, look.with), file, look.set, scene::Reach::anywhere),
+        {},
+        {}};
+    drawn.now = scene::at_frame(drawn.scene, look.frame);
+    drawn.picture = picture_of(context, drawn.scene, drawn.now, look);
+    return drawn;
+}
+
+std::vector<std::string> pixel_names(const Drawn& drawn, const std::string& prefix) {
+    std::vector<std::string> names;
+    for (const auto& [name, layer] : layers)
+        if (drawn.picture.frame.find(layer)) names.push_back(prefix + name);
+    const std::vector<std::string> others = prefixed(prefix, of_every_pixel);
+    names.insert(names.end(), others.begin(), others.end());
+    return names;
+}
+
+void add_pixel_numbers(const Drawn& drawn, std::size_t pixel, std::vector<double>& to) {
+    const image::Frame& frame = drawn.picture.frame;
+    for (const auto& [name, layer] : layers)
+        if (const image::Channel* channel = frame.find(layer))
+            to.push_back(channel->samples[pixel]);
+    const auto verdict = render::Verdict(int(frame.find("verdict")->samples[pixel]));
+    const bool hit = verdict == render::Verdict::hit;
+    const auto column = double(pixel % std::size_t(frame.width));
+    const auto row = double(pixel / std::size_t(frame.width));
+    const double u = 2 * (column + 0.5) / frame.width - 1, v = 1 - 2 * (row + 0.5) / frame.height;
+    const scene::OneSurfaceAt first(drawn.now, 0);
+    const scene::Rays rays = scene::rays(first, frame.width, frame.height);
+    const glm::dvec3 across = u * rays.right + v * rays.up;
+    const glm::dvec3 along = rays.axis + (rays.parallel ? glm::dvec3(0) : across);
+    const scene::PlacementAt& place = first.surface.placement;
+    const glm::dvec3 from = place.to_world(rays.origin + across - along);
+    const glm::dvec3 direction = glm::normalize(place.rotate * along);
+    for (const double number :
+         {double(hit), double(hit || verdict == render::Verdict::zero_gradient), u, v, column, row,
+          from.x, from.y, from.z, direction.x, direction.y, direction.z})
+        to.push_back(number);
+}
+
+std::vector<std::string> total_names(const std::string& prefix) { return prefixed(prefix, totals); }
+
+void add_totals(const Drawn& drawn, std::vector<double>& to) {
+    const render::Picture& picture = drawn.picture;
+    const auto of = [&](render::Verdict verdict) { return picture.verdicts[std::size_t(verdict)]; };
+    using render::Verdict;
+    const std::int64_t hits = of(Verdict::hit);
+    for (const std::int64_t count :
+         {hits, hits + of(Verdict::zero_gradient), of(Verdict::miss), of(Verdict::nan),
+          of(Verdict::step_limit), std::int64_t(picture.passes), picture.evaluations()})
+        to.push_back(double(count));
+    for (const render::RayCount& kind : picture.rays) to.push_back(double(kind.evaluations));
+    const render::RayCount& shadow = picture.rays[std::size_t(render::RayKind::shadow)];
+    for (const std::int64_t count :
+         {shadow.undecided, shadow.most, std::int64_t(picture.frame.width),
+          std::int64_t(picture.frame.height)})
+        to.push_back(double(count));
+    const shader::Passes passes = shader::assemble(drawn.scene);
+    to.push_back(shader::array_with_grid(passes) ? 1 : 0);
+    to.push_back(shader::has_lists(passes) ? 1 : 0);
+    to.push_back(passes.march_takes_gradient ? 1 : 0);
+}
+
+} // namespace isomotion::scenes
