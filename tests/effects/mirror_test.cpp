@@ -221,17 +221,5 @@ TEST_P(RoughMirror, RipplesAreAboutAsBrightAsManyRaysSeeThem) {
     EXPECT_NEAR(mean(64) / many, 1, 0.15);
 }
 
-TEST_P(Mirror, AMapThatIsNoneIsAnError) {
-    const scene::Scene text =
-        scene_of("[surface]\nformula = \"x\"\nbounds = { sphere = 1 }\n[environment]\n"
-                 "map = \"" ISOMOTION_SOURCE_DIR "/README.md\"\n");
-    EXPECT_THROW(draw(*context, text), std::exception);
-    try {
-        draw(*context, text);
-    } catch (const std::exception& error) {
-        EXPECT_NE(std::string(error.what()).find("README.md"), std::string::npos) << error.what();
-    }
-}
-
 } // namespace
 } // namespace isomotion::render

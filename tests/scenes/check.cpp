@@ -1,6 +1,8 @@
 #include "scenes/check.h"
 
 #include <algorithm>
+#include <cmath>
+#include <cstring>
 #include <memory>
 
 #include <fmt/format.h>
@@ -79,17 +81,44 @@ void check(const That& that, const Pictures& pictures) {
                                   << fmt::format("{}", fmt::join(that.where, ", "));
     for (const auto& [name, formula] : that.sums) of_totals.push_back(name);
     totals.insert(totals.end(), sums.begin(), sums.end());
-    for (Statement& one : compiled(that.counts, that.let, of_totals))
+    for (Statement& one : compiled(that.counts, {}, of_totals))
         EXPECT_TRUE(one.holds(totals, that.within)) << one.told();
 }
 
-// Caps that are of no section that truth has there, and the surface where it has a section.
+void check(const Same& wanted, const Pictures& pictures) {
+    const Drawn &one = *pictures.at(wanted.of), &other = *pictures.at(wanted.as);
+    for (const image::Channel& layer : one.picture.frame.channels) {
+        const image::Channel* same = other.picture.frame.find(layer.name);
+        if (!same || std::ranges::count(wanted.without, layer.name) > 0) continue;
+        ASSERT_EQ(layer.samples.size(), same->samples.size());
+        std::int64_t different = 0;
+        std::string first;
+        for (std::size_t k = 0; k < layer.samples.size(); ++k) {
+            const float a = layer.samples[k], b = same->samples[k];
+            if (std::memcmp(&a, &b, sizeof(float)) == 0) continue; // infinite or no numbers, too
+            if (wanted.within > 0 && (a == b || std::abs(a - b) <= wanted.within)) continue;
+            if (++different == 1)
+                first =
+                    fmt::format("{} and {} at column {}, row {}", a, b,
+                                int(k) % one.picture.frame.width, int(k) / one.picture.frame.width);
+        }
+        EXPECT_LE(different, wanted.but)
+            << layer.name << " of '" << wanted.of << "' and '" << wanted.as << "': " << first;
+    }
+    if (wanted.within > 0 || wanted.but > 0 || !wanted.without.empty()) return;
+    EXPECT_EQ(one.picture.evaluations(), other.picture.evaluations()) << wanted.as;
+    EXPECT_EQ(one.picture.verdicts, other.picture.verdicts) << wanted.as;
+}
+
+// Caps where truth has the surface, and the surface where truth has a cap.
 std::int64_t other_caps(const image::Frame& drawn, const roots::Truth& truth) {
+    const bool is_one = drawn.find("surface") == nullptr; // of several, truth may not know which
     const image::Channel* caps = drawn.find("cap");
     std::int64_t other = 0;
     for (std::size_t k = 0; caps && k < truth.roots.size(); ++k) {
         const auto verdict = render::Verdict(int(drawn.find("verdict")->samples[k]));
         other += verdict == render::Verdict::hit && truth.roots[k].answer == roots::Answer::hit &&
+                 (is_one || truth.roots[k].surface >= 0) &&
                  (truth.roots[k].cap >= 0) != (caps->samples[k] > 0);
     }
     return other;
@@ -97,9 +126,9 @@ std::int64_t other_caps(const image::Frame& drawn, const roots::Truth& truth) {
 
 // What tells truths apart: neither how rays are marched nor how a picture is divided.
 std::string key_of_truth(std::string scene, Look look) {
-    constexpr std::string_view section = "\n[isolation]\n";
-    if (const std::size_t begin = scene.find(section); begin != scene.npos)
-        scene.erase(begin, scene.find("\n[", begin + 1) - begin);
+    for (const auto& [begin, end] : {std::pair{"\n[isolation]\n", "\n["}, {"\nisolation = ", "\n"}})
+        if (const std::size_t at = scene.find(begin); at != scene.npos)
+            scene.erase(at, scene.find(end, at + 1) - at);
     look.plan.reset();
     look.stage = {};
     return key_of(scene, look);
@@ -160,7 +189,7 @@ void check(const Expectations& expected, const SceneFile& file, gpu::Context& co
                     << error.what();
         }
     }
-    if (expected.that.empty() && expected.truths.empty()) return;
+    if (expected.that.empty() && expected.same.empty() && expected.truths.empty()) return;
     for (const auto& [name, look] : expected.pictures)
         if (look.stage == render::StageChoice::compute && !gpu::has_compute(context.info())) return;
     Pictures pictures;
@@ -171,6 +200,7 @@ void check(const Expectations& expected, const SceneFile& file, gpu::Context& co
         pictures[name] = once;
     }
     for (const That& that : expected.that) check(that, pictures);
+    for (const Same& same : expected.same) check(same, pictures);
     for (const Truth& truth : expected.truths)
         check(truth, *pictures.at(truth.of),
               known.truths[key_of_truth(file.scene(), expected.pictures.at(truth.of))]);
@@ -183,7 +213,7 @@ void check(const SceneFile& file, const std::string& test, gpu::Context& context
     std::string place = file.path();
     try {
         for (const auto& [tried, expected] : file.expected_of(test)) {
-            place = fmt::format("{}, {}", file.path(), tried);
+            place = file.path() + (tried.empty() ? "" : ", " + tried);
             SCOPED_TRACE(place);
             check(expected, file, context, known);
         }

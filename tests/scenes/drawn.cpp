@@ -1,6 +1,6 @@
 #include "scenes/drawn.h"
 
-#include <algorithm>
+#include <cmath>
 
 #include <fmt/format.h>
 
@@ -138,10 +138,11 @@ void add_totals(const Drawn& drawn, std::vector<double>& to) {
          {shadow.undecided, shadow.most, std::int64_t(picture.frame.width),
           std::int64_t(picture.frame.height)})
         to.push_back(double(count));
-    const shader::Passes passes = shader::assemble(drawn.scene);
-    to.push_back(shader::array_with_grid(passes) ? 1 : 0);
-    to.push_back(shader::has_lists(passes) ? 1 : 0);
-    to.push_back(passes.march_takes_gradient ? 1 : 0);
+    const bool is_one = drawn.scene.surfaces.size() == 1;
+    const shader::Passes passes = is_one ? shader::assemble(drawn.scene) : shader::Passes{};
+    for (const bool has : {shader::array_with_grid(passes).has_value(), shader::has_lists(passes),
+                           passes.march_takes_gradient})
+        to.push_back(is_one ? double(has) : NAN);
 }
 
 } // namespace isomotion::scenes

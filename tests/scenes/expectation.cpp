@@ -70,6 +70,7 @@ public:
     // How a picture differs from another.
     Look look(DocumentTable table, Look look) const;
     That that(DocumentTable& table) const;
+    Same same(DocumentTable& table) const;
     Truth truth(DocumentTable& table) const;
     Methods methods(DocumentTable& table) const;
 
@@ -119,6 +120,17 @@ That Reading::that(DocumentTable& table) const {
         table.at("is"); // which is missing
     table.refuse_rest();
     return that;
+}
+
+Same Reading::same(DocumentTable& table) const {
+    Same same;
+    same.as = text(table.at("as"));
+    if (const auto of = table.find("of")) same.of = text(*of);
+    same.without = texts(table.find("without"));
+    if (const auto within = table.find("within")) same.within = number(*within);
+    if (const auto but = table.find("but")) same.but = count(*but);
+    table.refuse_rest();
+    return same;
 }
 
 Truth Reading::truth(DocumentTable& table) const {
@@ -242,7 +254,7 @@ Expectations SceneFile::expected(const std::string& test, const Values& values) 
         for (const DocumentNode& node : named.all())
             expected.pictures[named.key_of(node)] = reading.look(node.table(), own);
     }
-    for (const char* kind : {"that", "truth"}) {
+    for (const char* kind : {"that", "same", "truth"}) {
         const auto list = expect.find(kind);
         if (!list) continue;
         for (const DocumentNode& node : list->list()) {
@@ -250,6 +262,8 @@ Expectations SceneFile::expected(const std::string& test, const Values& values) 
             if (!reading.is_of_test(table, tests())) continue;
             if (kind == std::string_view("that"))
                 expected.that.push_back(reading.that(table));
+            else if (kind == std::string_view("same"))
+                expected.same.push_back(reading.same(table));
             else
                 expected.truths.push_back(reading.truth(table));
         }
@@ -260,11 +274,17 @@ Expectations SceneFile::expected(const std::string& test, const Values& values) 
     }
     if (const auto refused = expect.find("refused")) expected.refused = reading.texts(refused);
     expect.refuse_rest();
-    for (const Truth& truth : expected.truths)
-        if (!expected.pictures.contains(truth.of))
-            throw base::InputError(fmt::format("{}: there is no picture '{}'", path_, truth.of));
-    if (expected.that.empty() && expected.truths.empty() && !expected.methods &&
-        expected.refused.empty())
+    const auto expect_picture = [&](const std::string& name) {
+        if (!expected.pictures.contains(name))
+            throw base::InputError(fmt::format("{}: there is no picture '{}'", path_, name));
+    };
+    for (const Truth& truth : expected.truths) expect_picture(truth.of);
+    for (const Same& same : expected.same) {
+        expect_picture(same.as);
+        expect_picture(same.of);
+    }
+    if (expected.that.empty() && expected.same.empty() && expected.truths.empty() &&
+        !expected.methods && expected.refused.empty())
         throw base::InputError(fmt::format("{}: expects nothing of the test {}", path_, test));
     return expected;
 }

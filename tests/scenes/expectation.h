@@ -15,7 +15,7 @@ namespace isomotion::scenes {
 
 // Pixels, and what is true of them or of the whole pictures.
 struct That {
-    std::string let;                // "name = formula;" for all statements
+    std::string let;                // "name = formula;" for all statements of pixels
     std::vector<std::string> where; // all pixels, or those of which all of this is true
     std::vector<std::string> is;    // of each of them
     double within = 0;
@@ -23,6 +23,14 @@ struct That {
     std::int64_t but = 0;                         // pixels of which it may be false
     std::map<std::string, std::string> sums;      // over these pixels, which `counts` may name
     std::vector<std::string> counts;              // of whole pictures
+};
+
+// A picture that all layers are as those of. Where they are to be the same bits, so are all counts.
+struct Same {
+    std::string as, of;               // names of pictures; empty: the scene as it is
+    std::vector<std::string> without; // layers as files call them: "evaluations", "N.X"
+    double within = 0;
+    std::int64_t but = 0; // pixels of each layer
 };
 
 // Faults against certified truth of a picture.
@@ -42,6 +50,7 @@ struct Methods {
 struct Expectations {
     std::map<std::string, Look> pictures; // by name; "" is the scene as it is
     std::vector<That> that;
+    std::vector<Same> same;
     std::vector<Truth> truths;
     std::optional<Methods> methods;
     std::vector<std::string> refused; // words of the message with which drawing fails
