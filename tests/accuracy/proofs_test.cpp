@@ -4,8 +4,8 @@
 #include <gtest/gtest.h>
 
 #include "accuracy/compare.h"
+#include "accuracy/piled_blobs.h"
 #include "render/drawing.h"
-#include "render/piled_blobs.h"
 #include "roots/certify.h"
 
 namespace isomotion::accuracy {

@@ -9,69 +9,8 @@
 namespace isomotion::render {
 namespace {
 
-class OneDraw : public Drawing {
-protected:
-    // Rays that a draw leaves unfinished send the picture through passes.
-    Picture in_passes(const scene::Scene& scene, int frame, int evaluations) {
-        return draw(*context, scene, frame,
-                    MarchPlan{scene.output.width, scene.output.height, evaluations});
-    }
-    // Expects the same picture of every method that can draw the scene.
-    void expect_same(const char* name);
-};
+class OneDraw : public Drawing {};
 ISOMOTION_ON_EVERY_BACKEND(OneDraw);
-
-int different_pixels(const Picture& a, const Picture& b, const char* channel, double tolerance) {
-    const auto &x = a.frame.find(channel)->samples, &y = b.frame.find(channel)->samples;
-    int different = 0;
-    for (std::size_t k = 0; k < x.size(); ++k) {
-        if (x[k] == y[k]) continue; // infinite depths among them
-        different += !(std::abs(double(x[k]) - double(y[k])) <= tolerance);
-    }
-    return different;
-}
-
-// Drivers may order a formula's arithmetic otherwise from shader to shader: then F differs by last
-// bits, by which cubics take other steps. What they find is the same within what refining leaves.
-void OneDraw::expect_same(const char* name) {
-    for (const scene::MethodTraits& entry : scene::method_traits) {
-        SCOPED_TRACE(fmt::format("{} {}", name, entry.name));
-        const scene::Scene scene =
-            scene::load(name, {"look=none", "output.size=[61,43]",
-                               fmt::format("isolation.method=\"{}\"", entry.name)});
-        const int frame = scene.output.poster;
-        const Picture one = in_passes(scene, frame, 60'000);
-        EXPECT_EQ(one.passes, 1);
-        for (const int evaluations : {1, 3, 50}) {
-            const Picture passes = in_passes(scene, frame, evaluations);
-            if (evaluations == 1) {
-                EXPECT_GT(passes.passes, 1);
-            }
-            if (same_bits(one.frame, passes.frame)) continue;
-            std::string told;
-            for (const char* channel : {"verdict", "evaluations", "Z", "R"}) {
-                told += fmt::format(" {} {}", channel, different_pixels(one, passes, channel, 0));
-            }
-            EXPECT_LE(different_pixels(one, passes, "verdict", 0), 1) << told;
-            EXPECT_LE(different_pixels(one, passes, "Z", 1e-4), 1) << told;
-            EXPECT_LE(different_pixels(one, passes, "R", 1e-2), 3) << told;
-            EXPECT_NEAR(double(one.evaluations()), double(passes.evaluations()),
-                        0.01 * double(one.evaluations()));
-        }
-    }
-}
-
-TEST_P(OneDraw, IsThePictureOfPassesForPolynomials) {
-    for (const char* name : {"torus_quartic", "barth_sextic", "goursat"}) expect_same(name);
-}
-
-TEST_P(OneDraw, IsThePictureOfPassesForRootsAndPowers) {
-    for (const char* name : {"torus", "superquadric", "twisting_superquadric"}) expect_same(name);
-}
-
-TEST_P(OneDraw, IsThePictureOfPassesForSums) {
-    for (const char* name : {"blobby75", "falling_drops"}) expect_same(name);
-}
 
 // Once a ray has not ended in one draw, pictures after it go through passes: nothing shows.
 TEST_P(OneDraw, TheNextFrameIsTheSameByEither) {

@@ -33,8 +33,9 @@ void check(const That& that, const Pictures& pictures) {
     std::vector<std::string> names, of_totals;
     std::vector<double> totals;
     const std::size_t pixels = pictures.at("")->picture.frame.channels[0].samples.size();
+    std::vector<PixelNumbers> of_pictures;
     for (const auto& [name, drawn] : pictures) {
-        const auto of_pixels = pixel_names(*drawn, prefix_of(name));
+        const auto of_pixels = of_pictures.emplace_back(*drawn).names(prefix_of(name));
         const auto of_whole = total_names(prefix_of(name));
         names.insert(names.end(), of_pixels.begin(), of_pixels.end());
         of_totals.insert(of_totals.end(), of_whole.begin(), of_whole.end());
@@ -52,9 +53,11 @@ void check(const That& that, const Pictures& pictures) {
     std::int64_t checked = 0, wrong = 0;
     std::string first;
     std::vector<double> numbers;
-    for (std::size_t pixel = 0; pixel < pixels; ++pixel) {
+    const bool is_of_pixels = !where.empty() || !is.empty() || !summed.empty();
+    if (!is_of_pixels) checked = std::int64_t(pixels);
+    for (std::size_t pixel = 0; is_of_pixels && pixel < pixels; ++pixel) {
         numbers.clear();
-        for (const auto& [name, drawn] : pictures) add_pixel_numbers(*drawn, pixel, numbers);
+        for (const PixelNumbers& one : of_pictures) one.add(pixel, numbers);
         const auto is_true = [&](Statement& one) { return one.holds(numbers); };
         if (!std::ranges::all_of(where, is_true)) continue;
         ++checked;

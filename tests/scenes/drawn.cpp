@@ -5,7 +5,6 @@
 #include <fmt/format.h>
 
 #include "render/exposure.h"
-#include "scene/rays.h"
 #include "scene/reading/load.h"
 #include "shader/assemble.h"
 
@@ -35,8 +34,8 @@ constexpr Layer layers[] = {{"R", "R"},
                             {"velocity_x", "velocity.X"},
                             {"velocity_y", "velocity.Y"}};
 
-constexpr const char* of_every_pixel[] = {"hit", "found", "u",  "v",  "column", "row",
-                                          "ox",  "oy",    "oz", "dx", "dy",     "dz"};
+constexpr const char* of_every_pixel[] = {"hit", "found", "u",  "v",  "column", "row",   "ox",
+                                          "oy",  "oz",    "dx", "dy", "dz",     "radius"};
 
 constexpr const char* totals[] = {"hits",      "finds",      "misses",       "nans",   "limits",
                                   "passes",    "total",      "eye",          "shadow", "path",
@@ -44,7 +43,7 @@ constexpr const char* totals[] = {"hits",      "finds",      "misses",       "na
                                   "by_place",  "have_lists", "take_gradient"};
 
 render::Picture picture_of(gpu::Context& context, const scene::Scene& scene,
-                           const scene::SceneAt& now, const Look& look) {
+                           const scene::SceneAt& now, const Look& look, int frame) {
     using shader::Channel;
     render::RenderOptions options{scene.output.width, scene.output.height};
     options.channels = {Channel::depth, Channel::normal, Channel::position, Channel::verdict,
@@ -55,9 +54,9 @@ render::Picture picture_of(gpu::Context& context, const scene::Scene& scene,
     options.plan = look.plan;
     options.stage = look.stage;
     render::Renderer renderer(context, scene, options);
-    if (scene.output.samples > 1) return render::expose(renderer, scene, look.frame);
+    if (scene.output.samples > 1) return render::expose(renderer, scene, frame);
     if (!renderer.needs_motion()) return renderer.draw(now);
-    const render::Motion motion = render::motion_about(scene, look.frame);
+    const render::Motion motion = render::motion_about(scene, frame);
     return renderer.draw(now, {}, &motion);
 }
 
@@ -70,7 +69,7 @@ std::vector<std::string> prefixed(const std::string& prefix, std::span<const cha
 } // namespace
 
 std::string key_of(const std::string& scene, const Look& look) {
-    std::string key = with_values(scene, look.with);
+    std::string key = look.gallery + with_values(scene, look.with);
     for (const std::string& setting : look.set) key += "\n--set " + setting;
     for (const shader::Channel channel : look.channels) key += fmt::format("\n{}", int(channel));
     const render::MarchPlan plan = look.plan.value_or(render::MarchPlan{});
@@ -80,44 +79,50 @@ std::string key_of(const std::string& scene, const Look& look) {
 
 Drawn draw(gpu::Context& context, const std::string& scene, const std::string& file,
            const Look& look) {
-    Drawn drawn{
-        scene::load_text(with_values(scene, look.with), file, look.set, scene::Reach::anywhere),
-        {},
-        {}};
-    drawn.now = scene::at_frame(drawn.scene, look.frame);
-    drawn.picture = picture_of(context, drawn.scene, drawn.now, look);
+    using scene::Reach;
+    Drawn drawn;
+    drawn.scene = look.gallery.empty() ? scene::load_text(with_values(scene, look.with), file,
+                                                          look.set, Reach::anywhere)
+                                       : scene::load(look.gallery, look.set);
+    const int frame = look.frame == 0 ? drawn.scene.output.poster : look.frame;
+    drawn.now = scene::at_frame(drawn.scene, frame);
+    drawn.picture = picture_of(context, drawn.scene, drawn.now, look, frame);
     return drawn;
 }
 
-std::vector<std::string> pixel_names(const Drawn& drawn, const std::string& prefix) {
-    std::vector<std::string> names;
+PixelNumbers::PixelNumbers(const Drawn& drawn)
+    : drawn_(drawn)
+    , rays_(scene::rays({drawn.now, 0}, drawn.picture.frame.width, drawn.picture.frame.height))
+    , verdicts_(drawn.picture.frame.find("verdict")->samples) {
     for (const auto& [name, layer] : layers)
-        if (drawn.picture.frame.find(layer)) names.push_back(prefix + name);
-    const std::vector<std::string> others = prefixed(prefix, of_every_pixel);
-    names.insert(names.end(), others.begin(), others.end());
+        if (const image::Channel* channel = drawn.picture.frame.find(layer))
+            layers_.emplace_back(name, &channel->samples);
+}
+
+std::vector<std::string> PixelNumbers::names(const std::string& prefix) const {
+    std::vector<std::string> names;
+    for (const auto& [name, samples] : layers_) names.push_back(prefix + name);
+    for (const char* name : of_every_pixel) names.push_back(prefix + name);
     return names;
 }
 
-void add_pixel_numbers(const Drawn& drawn, std::size_t pixel, std::vector<double>& to) {
-    const image::Frame& frame = drawn.picture.frame;
-    for (const auto& [name, layer] : layers)
-        if (const image::Channel* channel = frame.find(layer))
-            to.push_back(channel->samples[pixel]);
-    const auto verdict = render::Verdict(int(frame.find("verdict")->samples[pixel]));
+void PixelNumbers::add(std::size_t pixel, std::vector<double>& to) const {
+    const image::Frame& frame = drawn_.picture.frame;
+    for (const auto& [name, samples] : layers_) to.push_back((*samples)[pixel]);
+    const auto verdict = render::Verdict(int(verdicts_[pixel]));
     const bool hit = verdict == render::Verdict::hit;
     const auto column = double(pixel % std::size_t(frame.width));
     const auto row = double(pixel / std::size_t(frame.width));
     const double u = 2 * (column + 0.5) / frame.width - 1, v = 1 - 2 * (row + 0.5) / frame.height;
-    const scene::OneSurfaceAt first(drawn.now, 0);
-    const scene::Rays rays = scene::rays(first, frame.width, frame.height);
-    const glm::dvec3 across = u * rays.right + v * rays.up;
-    const glm::dvec3 along = rays.axis + (rays.parallel ? glm::dvec3(0) : across);
-    const scene::PlacementAt& place = first.surface.placement;
-    const glm::dvec3 from = place.to_world(rays.origin + across - along);
+    const glm::dvec3 across = u * rays_.right + v * rays_.up;
+    const glm::dvec3 along = rays_.axis + (rays_.parallel ? glm::dvec3(0) : across);
+    const scene::PlacementAt& place = drawn_.now.surfaces[0].placement;
+    const glm::dvec3 from = place.to_world(rays_.origin + across - along);
     const glm::dvec3 direction = glm::normalize(place.rotate * along);
     for (const double number :
          {double(hit), double(hit || verdict == render::Verdict::zero_gradient), u, v, column, row,
-          from.x, from.y, from.z, direction.x, direction.y, direction.z})
+          from.x, from.y, from.z, direction.x, direction.y, direction.z,
+          place.scale * drawn_.now.surfaces[0].bounds.radius})
         to.push_back(number);
 }
 

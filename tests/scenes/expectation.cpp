@@ -82,6 +82,7 @@ private:
 Look Reading::look(DocumentTable table, Look look) const {
     if (const auto with = table.find("with"))
         for (const auto& [name, value] : values_of(with->table())) look.with[name] = value;
+    if (const auto gallery = table.find("gallery")) look.gallery = text(*gallery);
     for (const std::string& setting : texts(table.find("set"))) look.set.push_back(setting);
     if (const auto channels = table.find("channels")) {
         look.channels.clear();

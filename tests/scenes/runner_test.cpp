@@ -74,6 +74,7 @@ TEST(SceneRunner, PutsValuesInTheirPlaces) {
     const Values values{{"a", "2"}, {"b", "{a}"}, {"which", "a"}, {"box", "{ sphere = {a} }"}};
     EXPECT_EQ(with_values("{a} {b} {{which}} {box} {=3*a + 1} { a } {c}", values),
               "2 2 2 { sphere = 2 } 7 { a } {c}");
+    EXPECT_EQ(with_values("1{3 times k:  + {a}*x^<k>}", values), "1 + 2*x^1 + 2*x^2 + 2*x^3");
     EXPECT_THROW(with_values("{a}", {{"a", "{a}"}}), std::invalid_argument);
 }
 
