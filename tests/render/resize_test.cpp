@@ -1,6 +1,9 @@
 // A renderer that is resized or adjusted draws what one made so would.
 #include "drawing.h"
 
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
 namespace isomotion::render {
 namespace {
 
@@ -53,6 +56,35 @@ TEST_P(Resize, AdjustedSettingsAreTheScenesOwn) {
     scene::Isolation other = fine.surfaces[0].isolation;
     other.method = scene::Method::marching;
     EXPECT_THROW(renderer.adjust(other), std::invalid_argument);
+}
+
+// Settings of several surfaces change alike.
+TEST_P(Resize, AdjustedSettingsAreThoseOfEachSurface) {
+    const auto scene_with = [](double step, double other) {
+        std::string text;
+        for (const auto& [x, its] : {std::pair{-1, step}, {1, other}})
+            text += fmt::format(
+                "[[surfaces]]\nformula = 'x^2 + y^2 + z^2 - 0.25'\n"
+                "bounds = {{ sphere = 0.55 }}\ntransform = {{ translate = [{}, 0, 0] }}\n"
+                "isolation = {{ method = 'marching', step = {} }}\n",
+                x, its);
+        return scene_of(text + "[camera]\nposition = [0, -6, 1]\n[output]\nsize = [64, 64]\n");
+    };
+    const scene::Scene fine = scene_with(0.01, 0.02), coarse = scene_with(0.04, 0.08);
+    const auto renderer_of = [&](const scene::Scene& scene) {
+        return Renderer(*context, scene, {64, 64, {shader::Channel::surface}, {}});
+    };
+    const auto evaluations = [](Renderer& renderer, const scene::Scene& scene) {
+        return renderer.draw(scene::at_frame(scene, 1)).evaluations();
+    };
+    Renderer adjusted = renderer_of(fine), anew = renderer_of(coarse);
+    const auto before = evaluations(adjusted, fine);
+    adjusted.adjust(coarse.surfaces[0].isolation);
+    const auto after = evaluations(adjusted, fine);
+    EXPECT_LT(after, before);
+    EXPECT_EQ(after, evaluations(anew, coarse));
+    adjusted.adjust(fine.surfaces[0].isolation);
+    EXPECT_EQ(evaluations(adjusted, fine), before);
 }
 
 TEST_P(Resize, APictureThatIsGivenUpLeavesTheRendererWhole) {
