@@ -55,6 +55,10 @@ def tests_of_repository():
     tests = set()
     for path in (REPOSITORY / "tests").rglob("*_test.cpp"):
         tests.update(pattern.findall(path.read_text()))
+    for folder in ("scenes", "stability"):  # Scenes/sections.a_ball
+        for path in (REPOSITORY / "tests" / folder).glob("*.toml"):
+            rows = re.findall(r'\{ name = "([^"]+)"', path.read_text())
+            tests.update((path.stem, re.sub(r"\W", "_", name)) for name in rows or [path.stem])
     return tests
 
 
