@@ -18,7 +18,33 @@ layout(std140) uniform Shading { // shade/shading_flat.glsl
 flat out vec4 material_color, background, light_direction[1], light_color[1];
 #endif
 
-#if !defined(RECTANGLES) && !defined(SQUARES)
+#ifdef RECTANGLES
+// Six corners of each rectangle, src/gpu/rectangles.h. Two words each: x and y, then width and
+// height, in pixels, 16 bits a number.
+uniform usamplerBuffer rectangles;
+uniform vec2 pixel_of_viewport;
+
+vec2 corner() {
+    uvec2 words = texelFetch(rectangles, gl_VertexID / 6).xy;
+    int k = gl_VertexID % 6; // of two triangles
+    vec2 side = vec2((0x32 >> k) & 1, (0x2c >> k) & 1);
+    vec2 pixel = vec2(words.x & 0xffffu, words.x >> 16) + side * vec2(words.y & 0xffffu, words.y >> 16);
+    return pixel * pixel_of_viewport - 1.0;
+}
+#elif defined(SQUARES)
+// Each square is a point, src/gpu/squares.h. A word each: x, y and the side, in parts of 8 pixels,
+// of 14, 14 and 4 bits.
+uniform usamplerBuffer squares;
+uniform vec2 pixel_of_viewport;
+
+vec2 corner() {
+    uint word = texelFetch(squares, gl_VertexID).x;
+    vec2 low = vec2(word & 0x3fffu, word >> 14 & 0x3fffu);
+    float side = float(word >> 28);
+    gl_PointSize = 8.0 * side;
+    return 8.0 * (low + 0.5 * side) * pixel_of_viewport - 1.0;
+}
+#else
 vec2 corner() { return vec2(gl_VertexID & 1, gl_VertexID >> 1) * 4.0 - 1.0; }
 #endif
 

@@ -100,7 +100,7 @@ void follow_beam(ivec2 block) {
                 was_slab = false;
             }
             open = is_slab || low < high && piece_length > 0.5 * beam.z;
-#ifdef BOTH_ENDS
+#if BOTH_ENDS
             bool turns = !open && low < high && !backwards;
             if (turns) piece_length = 0.25 * (high - low);
             backwards = backwards || turns;

@@ -1,4 +1,5 @@
-// Finds the tape of a function for a point or a box: src/formula/tape/tape_cells.h.
+// Finds the tape of a function for a point or a box, src/formula/tape/tape_cells.h, and reads the
+// numbers in it.
 
 uniform IM_BUFFER_OF_UINTS tape_words; // instructions, two words each
 uniform IM_BUFFER_OF_UINTS tape_spans; // first instruction and number of them
@@ -34,4 +35,17 @@ uvec2 tape_over(int spans, vec2 x, vec2 y, vec2 z) {
     vec3 part = (high - low) / TAPE_SIZE;
     float level = floor(-log2(2.002 * max(part.x, max(part.y, part.z)))); // as half a cell
     return tape_of_cell(spans, clamp(level, 0.0, TAPE_LEVELS), 0.25, low, high);
+}
+
+bool tape_is_rough = false; // whether the tape run last met what is not smooth
+
+float tape_float(uvec2 word) {
+    return uintBitsToFloat(word.y);
+}
+
+// A float, or all numbers up to the next one.
+vec2 tape_interval(uvec2 word) {
+    uint farther = word.y + 1u, nearer = word.y - 1u;
+    uint next = (word.y & 0x80000000u) == 0u ? farther : nearer;
+    return vec2(uintBitsToFloat(word.y), uintBitsToFloat((word.x & 512u) != 0u ? next : word.y));
 }

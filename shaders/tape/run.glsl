@@ -1,13 +1,14 @@
 // Runs a tape from its first instruction on: src/formula/tape/tape_words.h. Registers hold the
 // inputs before and the outputs behind.
 //
-// TAPE_RUN names the function, TAPE_OPERANDS and TAPE_STEP what it is made of, TAPE_APPLY what it
-// applies, and TAPE_CALL what the calls of a tape of groups are.
+// The text of each tape names what is in capital letters: the functions TAPE_RUN, TAPE_OPERANDS and
+// TAPE_STEP, what it applies, TAPE_APPLY, and TAPE_CALL, the calls of a tape of groups; the
+// TAPE_REGISTERS, each a TAPE_NUMBER that TAPE_LITERAL reads and TAPE_CHOOSE selects.
 
 void TAPE_OPERANDS(uvec2 word, out TAPE_NUMBER a, out TAPE_NUMBER b) {
     TAPE_NUMBER first = TAPE_REGISTERS[int(word.x >> 21)];
     TAPE_NUMBER second = TAPE_REGISTERS[int(word.y & TAPE_MASK)];
-    second = TAPE_CHOOSE((word.x & 128u) != 0u, tape_literal(word), second);
+    second = TAPE_CHOOSE((word.x & 128u) != 0u, TAPE_LITERAL(word), second);
     bool exchanged = (word.x & 256u) != 0u;
     a = TAPE_CHOOSE(exchanged, second, first);
     b = TAPE_CHOOSE(exchanged, first, second);
@@ -27,7 +28,7 @@ void TAPE_RUN(uvec2 span) {
     int at = int(span.x), end = at + int(span.y), stop = end;
     TAPE_NUMBER held_a = TAPE_NUMBER(0.0), held_b = TAPE_NUMBER(0.0);
     // Software renderers run a loop's body once more after a break at its top.
-#ifdef TAPE_CALL
+#ifdef CALLS
     do {
         uvec2 word = IM_BUFFER_AT(tape_words, at).xy;
         TAPE_NUMBER a, b;
@@ -47,7 +48,7 @@ void TAPE_RUN(uvec2 span) {
             TAPE_STEP(at + 7, held_a, held_b);
             at += 8;
         } while (at < stop);
-#ifdef TAPE_CALL
+#ifdef CALLS
     } while (at < end);
 #endif
 }

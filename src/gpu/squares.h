@@ -14,7 +14,7 @@ struct Square {
 
 /// Squares of pixels that are drawn at once, each as a point. A rectangle takes two triangles, and
 /// software renderers shade the pixels along their common side twice. There are no attributes; a
-/// vertex shader places the points by gl_VertexID from words(): shaders/squares.glsl.
+/// vertex shader places the points by gl_VertexID from words(): shaders/fullscreen.vert.
 class Squares {
 public:
     /// Every driver that we know draws points of 63 pixels.

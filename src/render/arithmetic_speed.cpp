@@ -57,9 +57,9 @@ gpu::Program speed_program(shader::Stage stage, const SpeedChains& chains) {
     const bool computes = stage == shader::Stage::compute;
     shader::ShaderText text(stage);
     if (chains.fused && !computes) text.version(400);
-    text.define("CHAINS", chains.chains);
-    text.define("UNROLLED", chains.unrolled);
-    text.define("FUSED", chains.fused);
+    text.define(shader::Feature::chains, chains.chains);
+    text.define(shader::Feature::unrolled, chains.unrolled);
+    text.define(shader::Feature::fused, chains.fused);
     text.file("probe/speed.glsl");
     text.file_of_stage("probe/speed_fragment.glsl", "probe/speed_compute.glsl");
     const std::string name = "speed of arithmetic";

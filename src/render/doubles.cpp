@@ -162,7 +162,7 @@ std::string probe() {
     }
     shader::ShaderText text;
     text.version(400);
-    text.define("LITERALS", int(literals.size()));
+    text.define(shader::Feature::literals, int(literals.size()));
     text.generated("constants as formulas have them",
                    fmt::format("double literal(int k) {{\n{}    return 0.0lf;\n}}\n", cases));
     text.file("probe/doubles.glsl");

@@ -40,8 +40,8 @@ std::string repeated(std::string_view value, int times) {
 
 // Where lists lie.
 void add_places(ShaderText& text, const Passes& passes) {
-    text.define("TEXELS", passes.arrays[0].texels);
-    text.define("FIRST_SLOTS", slots(passes, 0));
+    text.define(Feature::texels, passes.arrays[0].texels);
+    text.define(Feature::first_slots, slots(passes, 0));
     text.file("march/copies.glsl");
 }
 
@@ -49,17 +49,15 @@ void add_places(ShaderText& text, const Passes& passes) {
 void add_larger(ShaderText& text, const Passes& passes, int level) {
     assert(level == 1 || level == 2);
     add_places(text, passes);
-    text.define("COPIES", 1);
-    text.define("LARGER_BLOCK", passes.beams[std::size_t(level - 1)].block);
+    text.define(Feature::copies);
+    text.define(Feature::larger_block, passes.beams[std::size_t(level - 1)].block);
     if (level == 2) {
-        text.define("FIRST_BLOCK", passes.beams[0].block);
-        text.define("MIDDLE_BLOCK", passes.beams[1].block);
-        text.define("MIDDLE_SLOTS", slots(passes, 1));
+        text.define(Feature::first_block, passes.beams[0].block);
+        text.define(Feature::middle_block, passes.beams[1].block);
+        text.define(Feature::middle_slots, slots(passes, 1));
         text.file("march/copies_of_middle.glsl");
     }
-    text.generated("lists of larger beams",
-                   fmt::format("#define LIST_OF_LARGER {}\n",
-                               level == 2 ? "list_of_middle" : "list_of_first"));
+    text.define(Feature::list_of_larger, level == 2 ? "list_of_middle" : "list_of_first");
 }
 
 } // namespace
@@ -93,11 +91,10 @@ FieldStorage storage_at_level(const FieldStorage& storage, int level) {
 
 void add_masks(ShaderText& text, const FieldStorage& storage) {
     const int texels = texels_of_a_mask(storage);
-    text.define("COPIES", 1);
-    text.define("MASK_TEXELS", texels);
+    text.define(Feature::copies);
+    text.define(Feature::mask_texels, texels);
     // ES 3.00 has initial values of constants alone.
-    text.generated("no bits",
-                   fmt::format("#define TEXELS_OF_NONE {}\n", repeated("uvec4(0u)", texels)));
+    text.define(Feature::texels_of_none, repeated("uvec4(0u)", texels));
     text.file("elements/mask.glsl");
     text.file("march/write_masks.glsl");
 }
@@ -110,25 +107,25 @@ void add_copies_of_parent(ShaderText& text, const Passes& passes, int level) {
 void add_copies_of_ray(ShaderText& text, const Passes& passes) {
     const int last = int(passes.beams.size()) - 1;
     add_larger(text, passes, last);
-    text.define("LAST_LEVEL", last);
-    text.define("LAST_SLOTS", slots(passes, last));
+    text.define(Feature::last_level, last);
+    text.define(Feature::last_slots, slots(passes, last));
     text.file("march/copies_of_ray.glsl");
 }
 
 Pass beam_copies_pass(const scene::OneSurface& one, const Passes& passes, int level) {
     const BeamLevel& beam = passes.beams[std::size_t(level)];
     ShaderText text;
-    text.define("LEVEL", level);
+    text.define(Feature::level, level);
     define_blocks(text, beam);
-    text.define("LISTS_OF_A_BLOCK", lists_of_a_block(beam));
-    text.define("SLOTS", slots(passes, level));
-    text.define("MASK_TEXELS", texels_of_a_mask(passes));
+    text.define(Feature::lists_of_a_block, lists_of_a_block(beam));
+    text.define(Feature::slots, slots(passes, level));
+    text.define(Feature::mask_texels, texels_of_a_mask(passes));
     add_field(text, *one.surface.field, storage_at_level(passes, level), {});
     if (level > 0) {
         add_larger(text, passes, level);
         text.file("march/copy_of_copies.glsl");
     } else {
-        text.define("TEXELS", passes.arrays[0].texels);
+        text.define(Feature::texels, passes.arrays[0].texels);
         text.generated("they are the first in the texture", "const ivec3 list_rows = ivec3(0);\n");
         text.file("march/copy_of_all.glsl");
     }

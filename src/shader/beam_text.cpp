@@ -114,26 +114,25 @@ Pass beam_pass_by_intervals(const scene::OneSurface& one, const Passes& passes, 
                     std::span(results).first(std::size_t(writes_buffer ? 3 : 1)));
     if (writes_buffer) text.version(430);
     define_blocks(text, beam);
-    text.define("BOTH_ENDS", int(beam.lists == BeamLists::whole));
+    text.define(Feature::both_ends, int(beam.lists == BeamLists::whole));
     if (has_lists(passes)) {
-        text.define("LISTS", 1);
+        text.define(Feature::lists);
         text.file("elements/left_out.glsl");
         add_bounds_of_sum(text, field, storage_at_level(passes, level));
     } else {
         add_field(text, field, passes, {FieldFunction::value_interval});
     }
-    if (array_with_grid(passes)) text.define("GRID", 1);
+    if (array_with_grid(passes)) text.define(Feature::grid);
     if (makes_lists) {
         const bool whole = beam.lists == BeamLists::whole;
-        text.generated("the front, as a part of all",
-                       fmt::format("#define FRONT {:#.3}\n", beam.front));
-        text.define("LIST_OF_ALL", int(whole));
-        text.define("LISTS_OF_A_BLOCK", lists_of_a_block(beam));
-        text.define("TEXELS", passes.arrays[0].texels);
+        text.define(Feature::front, fmt::format("{:#.3}", beam.front));
+        text.define(Feature::list_of_all, int(whole));
+        text.define(Feature::lists_of_a_block, lists_of_a_block(beam));
+        text.define(Feature::texels, passes.arrays[0].texels);
         const int pieces = pieces_of(beam);
-        text.define("PIECES", pieces);
-        text.define("FRONT_PIECES", whole ? int(std::lround(beam.front * pieces)) : pieces);
-        text.define("MOST_TERMS", parent ? most_terms : most_terms_at_first);
+        text.define(Feature::pieces, pieces);
+        text.define(Feature::front_pieces, whole ? int(std::lround(beam.front * pieces)) : pieces);
+        text.define(Feature::most_terms, parent ? most_terms : most_terms_at_first);
         // Read as a texture: software renderers go through the lanes one by one to read a storage
         // buffer.
         if (writes_buffer)
@@ -157,13 +156,13 @@ Pass beam_pass_by_models(const scene::OneSurface& one, const Passes& passes, int
     ShaderText text(passes.stage);
     declare_results(text, passes.stage, std::array<std::string_view, 2>{"part", "roots"});
     define_blocks(text, beam);
-    if (one.surface.isolation.certify) text.define("BOTH_ENDS", 1);
+    if (one.surface.isolation.certify) text.define(Feature::both_ends);
     add_enclosures(text, *one.surface.field, passes, {});
     add_piece_models(text, *one.surface.field, "models/block.glsl");
     text.file_of_stage("frame.glsl", "stage/frame.glsl");
     add_boxes(text, one, passes, level > 0 ? &beam - 1 : nullptr);
     text.file("models/piece_of_block.glsl");
-    text.define("BOUNDS_ROUNDING", "beam.w");
+    text.define(Feature::bounds_rounding, "beam.w");
     add_inside_bounds(text, one);
     text.file("models/box_within_bounds.glsl");
     text.file("march/beam_by_models.glsl");
@@ -181,9 +180,9 @@ void add_entrance_file(ShaderText& text, bool by_beams) {
 } // namespace
 
 void define_blocks(ShaderText& text, const BeamLevel& beam) {
-    text.define("BLOCK", beam.block);
-    text.define("SQUARE_BITS", beam.square_bits);
-    text.define("SQUARES_APART", beam_square);
+    text.define(Feature::block, beam.block);
+    text.define(Feature::square_bits, beam.square_bits);
+    text.define(Feature::squares_apart, beam_square);
     text.file("march/beam_place.glsl");
 }
 
@@ -212,9 +211,9 @@ bool lies_in_beams(const Passes& passes, int block) {
 }
 
 void define_parent(ShaderText& text, const BeamLevel& parent) {
-    if (parent.by_models) text.define("PARENT_SETTLES", 1);
-    text.define("PARENT_BLOCK", parent.block);
-    text.define("PARENT_SQUARE_BITS", parent.square_bits);
+    if (parent.by_models) text.define(Feature::parent_settles);
+    text.define(Feature::parent_block, parent.block);
+    text.define(Feature::parent_square_bits, parent.square_bits);
 }
 
 void add_beam_of_block(ShaderText& text, const scene::OneSurface& one, const Passes& passes,

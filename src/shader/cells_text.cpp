@@ -124,7 +124,7 @@ void add_hulls_over_cells(ShaderText& text, const std::vector<FieldFunction>& fu
 }
 
 void add_way_past_free_cells(ShaderText& text) {
-    text.define("PASSES_FREE", 1);
+    text.define(Feature::passes_free);
     text.file("elements/free_cells.glsl");
     text.file("march/pass_free.glsl");
 }

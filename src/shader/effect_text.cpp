@@ -245,7 +245,7 @@ void add_shading(ShaderText& text, const scene::OneSurface& one) {
     add_lights(text, one.scene);
     text.file("effects/hit_of.glsl");
     if (mirrors_environment(one)) {
-        text.define("FOOTPRINT", 1);
+        text.define(Feature::footprint);
         text.file(mirror_hessian(one) ? "effects/footprint.glsl" : "effects/no_footprint.glsl");
     }
     if (!one.scene.sections.empty()) text.file("section/distance.glsl");

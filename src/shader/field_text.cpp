@@ -207,9 +207,9 @@ void define_grid_limits(ShaderText& text, const formula::Field& field, const Fie
         turns = std::max(turns, 1 + cost(field, storage, {function}, others).iterations);
         loops = std::max(loops, cost(field, storage, {function}, once).iterations);
     }
-    text.define("MOST_CELLS", most_cells_of_box);
-    text.define("GRID_OTHERS", int(std::min(turns, 1e6)));
-    text.define("MOST_ELEMENTS", int(0.075 * loop_iterations_per_pass / loops));
+    text.define(Feature::most_cells, most_cells_of_box);
+    text.define(Feature::grid_others, int(std::min(turns, 1e6)));
+    text.define(Feature::most_elements, int(0.075 * loop_iterations_per_pass / loops));
 }
 
 // What lists leave out of each own sum: so many times the grid's bound, as intervals.

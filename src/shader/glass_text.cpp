@@ -53,7 +53,7 @@ void add_way_through(ShaderText& text, const scene::Scene& scene) {
 
 Pass first_pass(const scene::OneSurface& one, const Passes& passes) {
     ShaderText text;
-    text.define("LIGHTS", int(one.scene.lights.size()));
+    text.define(Feature::lights, int(one.scene.lights.size()));
     add_field(text, *one.surface.field, passes, {FieldFunction::value});
     add_ray(text, one);
     text.file("shade/shading.glsl");
@@ -73,7 +73,7 @@ Pass first_pass(const scene::OneSurface& one, const Passes& passes) {
 
 Pass next_pass(const scene::OneSurface& one, const Passes& passes) {
     ShaderText text;
-    text.define("LIGHTS", int(one.scene.lights.size()));
+    text.define(Feature::lights, int(one.scene.lights.size()));
     std::vector<FieldFunction> functions{FieldFunction::value};
     if (!passes.march_takes_gradient) functions.push_back(FieldFunction::gradient);
     add_field(text, *one.surface.field, passes, functions);

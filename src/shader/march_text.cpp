@@ -83,17 +83,17 @@ void add_turn(ShaderText& text, const scene::OneSurface& one, const Passes& pass
         text.file("march/finest.glsl");
         if (!is_rough) text.file("march/refine.glsl");
         const bool breaks = passes.samples.back() == FieldFunction::breaks;
-        if (breaks && one.surface.jumps_are_walls) text.define("WALLS", 1);
+        if (breaks && one.surface.jumps_are_walls) text.define(Feature::walls);
         text.file(breaks ? "march/breaks.glsl" : "march/no_breaks.glsl");
         text.file(is_rough ? "march/rough.glsl" : "march/touches.glsl");
     }
-    if (is_rough) text.define("ROUGH", 1);
-    if (passes.branches && method.steps == scene::Steps::cubics) text.define("BRANCHES", 1);
+    if (is_rough) text.define(Feature::rough);
+    if (passes.branches && method.steps == scene::Steps::cubics) text.define(Feature::branches);
     if (judges_touches(one)) {
-        text.define("MOST_TRIES", tries_of_a_touch(passes));
+        text.define(Feature::most_tries, tries_of_a_touch(passes));
         text.file("march/touch_by_bounds.glsl");
-        text.define("BOUNDED_TOUCHES", 1);
-        text.define("SOLVES", 1);
+        text.define(Feature::bounded_touches);
+        text.define(Feature::solves);
     }
     add_files(text, method.turn);
 }
@@ -147,7 +147,7 @@ void add_ray(ShaderText& text, const scene::OneSurface& one, Origin origin) {
 }
 
 void define_state(ShaderText& text, const Passes& passes) {
-    if (passes.state_textures == 3) text.define("THREE_SAMPLES", 1);
+    if (passes.state_textures == 3) text.define(Feature::three_samples);
 }
 
 // Whether the first sample of a march tells the sign of F where the ray begins, and the last one
@@ -164,7 +164,7 @@ bool samples_tell_caps(const scene::OneSurface& one, const Passes& passes) {
 void add_march(ShaderText& text, const scene::OneSurface& one, const Passes& passes, Origin origin,
                Draws draws) {
     const bool beam = !passes.beams.empty() && origin == Origin::eye;
-    if (beam && has_lists(passes)) text.define("LISTS", 1);
+    if (beam && has_lists(passes)) text.define(Feature::lists);
     begin_entrance(text, one, origin);
     add_entrance(text, passes, beam);
     end_entrance(text, one, origin, draws);
@@ -172,7 +172,7 @@ void add_march(ShaderText& text, const scene::OneSurface& one, const Passes& pas
     text.file(passes.march_takes_gradient ? "march/gradient_at_root.glsl"
                                           : "march/end_at_root.glsl");
     if (beam && settles_blocks(passes) && draws == Draws::several) {
-        text.define("SETTLES", 1);
+        text.define(Feature::settles);
         add_files(text,
                   std::array<std::string_view, 4>{"beam_roots", "slab", "begin_in_slab", "newton"});
     }
@@ -180,7 +180,7 @@ void add_march(ShaderText& text, const scene::OneSurface& one, const Passes& pas
     if (cuts && tells) begin_turn_of_part(text);
     add_turn(text, one, passes);
     if (cuts && tells) end_turn_of_part(text);
-    if (array_with_grid(passes)) text.define("GRID", 1);
+    if (array_with_grid(passes)) text.define(Feature::grid);
     if (passes_free_cells(one, passes)) add_way_past(text, passes);
     add_march_through_parts(text, one, "march/march.glsl", tells);
 }
@@ -224,11 +224,11 @@ Pass shadow_pass(const scene::OneSurface& one, const Passes& passes) {
     const scene::MethodTraits& method = scene::traits(one.surface.isolation.method);
     ShaderText text(passes.stage);
     define_state(text, passes);
-    text.define("LIGHTS", int(one.scene.lights.size()));
-    text.define("SHADOWS", shadow_mask(one.scene));
+    text.define(Feature::lights, int(one.scene.lights.size()));
+    text.define(Feature::shadows, shadow_mask(one.scene));
     if (passes.light_beams != 0) {
-        text.define("LIGHT_BEAMS", passes.light_beams);
-        if (has_lists(passes)) text.define("LISTS", 1);
+        text.define(Feature::light_beams, passes.light_beams);
+        if (has_lists(passes)) text.define(Feature::lists);
     }
     add_field(text, *one.surface.field, passes, passes.samples);
     add_ray(text, one);
@@ -244,7 +244,7 @@ Pass shadow_pass(const scene::OneSurface& one, const Passes& passes) {
         text.file("march/end_at_root.glsl");
         add_turn(text, one, passes);
     }
-    if (array_with_grid(passes)) text.define("GRID", 1);
+    if (array_with_grid(passes)) text.define(Feature::grid);
     if (passes_free_cells(one, passes)) add_way_past(text, passes);
     text.file(fmt::format("march/{}.glsl", method.any_hit));
     add_crossings(text, one);

@@ -1,7 +1,6 @@
 #include "shader/pass.h"
 
 #include <algorithm>
-#include <cctype>
 #include <stdexcept>
 
 #include <fmt/format.h>
@@ -12,12 +11,10 @@
 namespace isomotion::shader {
 namespace {
 
-bool is_of_a_name(char c) { return std::isalnum(static_cast<unsigned char>(c)) || c == '_'; }
-
 // Takes blanks and a name off the front of a line.
 std::string_view take_name(std::string_view& line) {
     while (line.starts_with(' ')) line.remove_prefix(1);
-    const auto end = std::find_if_not(line.begin(), line.end(), is_of_a_name);
+    const auto end = std::find_if_not(line.begin(), line.end(), is_of_a_word);
     const std::string_view name = line.substr(0, std::size_t(end - line.begin()));
     line.remove_prefix(name.size());
     return name;

@@ -28,9 +28,9 @@ static_assert(scene::most_surfaces <= 8 && scene::limits::sections < 15);
 static_assert(scene::limits::glass_depth < 32 && (most_crossings + 1) << 5 < 1 << 24);
 
 void add_path(ShaderText& text, const scene::OneSurface& one) {
-    text.define("SURFACES", one.scene.surfaces.size());
-    text.define("SURFACE", one.index);
-    if (has_glass(one)) text.define("GLASS", 1);
+    text.define(Feature::surfaces, int(one.scene.surfaces.size()));
+    text.define(Feature::surface, one.index);
+    if (has_glass(one)) text.define(Feature::glass);
     text.file("paths/path.glsl");
 }
 
@@ -99,11 +99,11 @@ void add_field_of_meeting(ShaderText& text, const scene::OneSurface& one, const 
 Pass meeting_pass(const scene::OneSurface& one, const Passes& passes, Role role, const char* name,
                   const char* file, Cover cover) {
     ShaderText text;
-    text.define("LIGHTS", int(one.scene.lights.size()));
+    text.define(Feature::lights, int(one.scene.lights.size()));
     add_field_of_meeting(text, one, passes);
     add_ray(text, one);
     add_meeting(text, one, passes);
-    text.define("MOST_CROSSINGS", most_crossings);
+    text.define(Feature::most_crossings, most_crossings);
     text.file(file);
     const When when = role == Role::glass_first ? When::once_a_tile : When::until_rays_end;
     return std::move(text).pass(role, name, when, cover);
@@ -114,7 +114,7 @@ Pass beyond_pass(const scene::OneSurface& one, const Passes& passes) {
     add_field(text, *one.surface.field, passes, {FieldFunction::value});
     add_ray(text, one);
     add_ends(text, one);
-    text.define("SURFACE", one.index);
+    text.define(Feature::surface, one.index);
     text.file("paths/in_matter.glsl");
     text.file("paths/beyond.frag");
     return std::move(text).pass(Role::glass_beyond, "glass beyond", When::until_rays_end,
@@ -131,7 +131,7 @@ Pass path_pass(const scene::OneSurface& one, Role role, const char* name, const 
 Pass begins_pass(const scene::OneSurface& one) {
     ShaderText text;
     text.file("march/verdict.glsl");
-    text.define("SURFACE", one.index);
+    text.define(Feature::surface, one.index);
     text.file("paths/begins.frag");
     return std::move(text).pass(Role::glass_begins, "glass begins", When::once_a_tile);
 }

@@ -53,12 +53,12 @@ void add_ended_ray(ShaderText& text, const scene::OneSurface& one) {
 // Beams by models tell proofs more than rays begin and end by.
 void add_trimmed_ends(ShaderText& text, const Passes& passes) {
     if (!settles_blocks(passes)) return;
-    text.define("TRIMMED", 1);
+    text.define(Feature::trimmed);
     text.file("march/beam_roots.glsl");
 }
 
 void add_by_place(ShaderText& text, const Passes& passes) {
-    if (array_with_grid(passes)) text.define("GRID", 1);
+    if (array_with_grid(passes)) text.define(Feature::grid);
     text.file("proof/by_place.glsl");
 }
 
@@ -83,7 +83,7 @@ std::vector<FieldFunction> samples_of_ray(const formula::Field& field, const Fie
 void add_proof(ShaderText& text, const scene::OneSurface& one, const Passes& passes,
                ProofBounds bounds) {
     add_ended_ray(text, one);
-    if (has_lists(passes)) text.define("LISTS", 1);
+    if (has_lists(passes)) text.define(Feature::lists);
     add_trimmed_ends(text, passes);
     add_entrance(text, passes, !passes.beams.empty());
     text.file("proof/rounding.glsl");
@@ -109,8 +109,8 @@ ProofBounds bounds_at_root(const FieldStorage& storage) {
 
 // Takes the place of pixels that fragments lie on.
 void add_packed(ShaderText& text) {
-    text.define("PROVED_BLOCK", proved_block);
-    text.define("LIST_ACROSS", open_list_across);
+    text.define(Feature::proved_block, proved_block);
+    text.define(Feature::list_across, open_list_across);
     text.file("proof/packed.glsl");
 }
 
@@ -139,13 +139,14 @@ Pass block_proof(const scene::OneSurface& one, const Passes& passes, Role role) 
     const bool is_coarse = role == Role::coarse_block_proof;
     const int block = is_coarse ? coarse_proved_block : proved_block;
     ShaderText text;
-    text.define("BLOCK", block);
-    text.define("RAYS", block * block);
-    text.define("SQUARES_APART", beam_square);
+    text.define(Feature::block, block);
+    text.define(Feature::rays, block * block);
+    text.define(Feature::squares_apart, beam_square);
     text.file("march/beam_place.glsl");
     if (by_models) {
-        if (!settles_blocks(passes))
-            text.define(is_coarse ? "COARSE" : "COARSE_BLOCK", coarse_proved_block);
+        if (is_coarse) text.define(Feature::coarse);
+        if (!is_coarse && !settles_blocks(passes))
+            text.define(Feature::coarse_block, coarse_proved_block);
         add_enclosures(text, field, passes, {});
         add_piece_models(text, field, "models/block.glsl");
     } else {
@@ -157,7 +158,7 @@ Pass block_proof(const scene::OneSurface& one, const Passes& passes, Role role) 
     text.file("proof/ending.glsl");
     text.file("proof/rounding.glsl");
     text.file("proof/block_outcome.glsl");
-    if (has_lists(passes)) text.define("LISTS", 1);
+    if (has_lists(passes)) text.define(Feature::lists);
     add_trimmed_ends(text, passes);
     add_beam_of_block(text, one, passes, block);
     if (has_lists(passes)) text.file("proof/list_of_block.glsl");
@@ -182,8 +183,8 @@ Pass block_proof(const scene::OneSurface& one, const Passes& passes, Role role) 
 
 Pass block_mask(const Passes& passes) {
     ShaderText text;
-    text.define("BLOCK", proved_block);
-    text.define("SQUARES_APART", beam_square);
+    text.define(Feature::block, proved_block);
+    text.define(Feature::squares_apart, beam_square);
     text.file("march/beam_place.glsl");
     define_parent(text, passes.beams.back());
     text.file("proof/block_outcome.glsl");
@@ -196,7 +197,7 @@ Pass first_proof(const scene::OneSurface& one, const Passes& passes) {
     const formula::Field& field = *one.surface.field;
     const bool by_models = goes_by_models(field, passes, ProofBounds::natural);
     ShaderText text;
-    text.define("WHOLE_BLOCKS", 1);
+    text.define(Feature::whole_blocks);
     add_packed(text);
     if (by_models) {
         add_enclosures(text, field, passes, {});
@@ -250,7 +251,7 @@ Pass ending_of_surface(const scene::OneSurface& one) {
     ShaderText text;
     text.file("math/bits.glsl");
     add_ray(text, one);
-    text.define("SURFACE", one.index);
+    text.define(Feature::surface, one.index);
     text.file("surfaces/eye_way.glsl");
     text.file("proof/ending_of_surface.frag");
     return std::move(text).pass(Role::ending, "ending", When::once_a_tile);

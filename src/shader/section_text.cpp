@@ -24,8 +24,8 @@ int samples_at_sections(const scene::Scene& scene) {
 
 void add_sections(ShaderText& text, const scene::Scene& scene) {
     if (scene.sections.empty()) return;
-    text.define("SECTIONS", int(scene.sections.size()));
-    text.define("SECTION_BALLS", balls(scene));
+    text.define(Feature::sections, int(scene.sections.size()));
+    text.define(Feature::section_balls, balls(scene));
     text.file("section/sections.glsl");
 }
 
@@ -49,7 +49,7 @@ void add_crossings(ShaderText& text, const scene::OneSurface& one) {
                    bounds ? "float field_at(vec3 p, vec3 direction) {\n    return field(p);\n}\n"
                           : "float field_at(vec3 p, vec3 direction) {\n"
                             "    return sample_field(p, direction).x;\n}\n");
-    text.define("PARTS", parts_of_a_ray(one.scene));
+    text.define(Feature::parts, parts_of_a_ray(one.scene));
     text.file("section/cross.glsl");
 }
 
@@ -74,7 +74,7 @@ void add_march_through_parts(ShaderText& text, const scene::OneSurface& one,
     text.file(file);
     text.generated("and that of all by these", "#undef begin\n#undef march\n");
     if (samples_tell) {
-        text.define("PARTS", parts_of_a_ray(one.scene));
+        text.define(Feature::parts, parts_of_a_ray(one.scene));
         text.file("section/march_by_samples.glsl");
     } else {
         add_crossings(text, one);

@@ -26,18 +26,21 @@ struct ChannelShader {
     Channel channel;
     const char* file;
     const char* function;
-    const char* location;
+    Feature location;
     const char* output;
 };
 
 constexpr ChannelShader channel_shaders[] = {
-    {Channel::depth, "channels/depth.glsl", "write_depth", "DEPTH_LOCATION", "depth_out"},
-    {Channel::normal, "channels/normal.glsl", "write_normal", "NORMAL_LOCATION", "normal_out"},
-    {Channel::position, "channels/position.glsl", "write_position", "POSITION_LOCATION",
+    {Channel::depth, "channels/depth.glsl", "write_depth", Feature::depth_location, "depth_out"},
+    {Channel::normal, "channels/normal.glsl", "write_normal", Feature::normal_location,
+     "normal_out"},
+    {Channel::position, "channels/position.glsl", "write_position", Feature::position_location,
      "position_out"},
-    {Channel::cap, "channels/cap.glsl", "write_cap", "CAP_LOCATION", "cap_out"},
-    {Channel::surface, "channels/surface.glsl", "write_surface", "SURFACE_LOCATION", "surface_out"},
-    {Channel::ending, "channels/ending.glsl", "write_ending", "ENDING_LOCATION", "ending_out"},
+    {Channel::cap, "channels/cap.glsl", "write_cap", Feature::cap_location, "cap_out"},
+    {Channel::surface, "channels/surface.glsl", "write_surface", Feature::surface_location,
+     "surface_out"},
+    {Channel::ending, "channels/ending.glsl", "write_ending", Feature::ending_location,
+     "ending_out"},
 };
 
 // write_channels(), to the attachments from the third on. Surfaces that draw over each other have
@@ -51,7 +54,7 @@ void add_channels(ShaderText& text, const scene::OneSurface& one,
         if (!contains(written, shader.channel)) continue;
         text.define(shader.location, location);
         const bool lacks_caps = shader.channel == Channel::cap && one.scene.sections.empty();
-        if (shader.channel == Channel::surface) text.define("SURFACE_NUMBER", one.index + 1);
+        if (shader.channel == Channel::surface) text.define(Feature::surface_number, one.index + 1);
         if (shader.channel == Channel::ending && !one.is_alone()) {
             if (over_others) text.file("surfaces/eye_way.glsl");
             text.file(over_others ? "surfaces/own_ending.glsl" : "surfaces/ending.glsl");
@@ -163,7 +166,7 @@ ShaderText begin_fused(const scene::OneSurface& one, const Passes& passes,
                        std::vector<FieldFunction> functions) {
     ShaderText text;
     define_state(text, passes);
-    text.define("LIGHTS", int(one.scene.lights.size()));
+    text.define(Feature::lights, int(one.scene.lights.size()));
     if (!passes.march_takes_gradient) functions.push_back(FieldFunction::gradient);
     add_field(text, *one.surface.field, through_copies(passes), functions,
               painting_functions(one, passes));
@@ -226,7 +229,7 @@ Pass surface_pass(const scene::OneSurface& one, const Passes& passes, Origin ori
     add_ray(text, one, origin);
     const bool by_lists = origin == Origin::eye && has_lists(passes);
     if (by_lists) {
-        text.define("LISTS", 1);
+        text.define(Feature::lists);
         add_entrance(text, passes, true);
     }
     if (origin == Origin::eye) text.file("effects/eye_begin.glsl");
@@ -269,7 +272,7 @@ Pass surface_pass(const scene::OneSurface& one, const Passes& passes, Origin ori
 
 ShaderText begin_seen(const scene::OneSurface& one, const Passes& passes) {
     ShaderText text;
-    text.define("LIGHTS", int(one.scene.lights.size()));
+    text.define(Feature::lights, int(one.scene.lights.size()));
     std::vector<FieldFunction> functions;
     const bool paint = painting(one) != nullptr;
     if (paint && !passes.march_takes_gradient) functions.push_back(FieldFunction::gradient);
@@ -292,14 +295,14 @@ Pass seen_pass(const scene::OneSurface& one, const Passes& passes) {
     text.file("effects/load_mirrored.glsl");
     add_seen_shading(text, one);
     if (painting(one)) add_gradient(text, one, passes);
-    text.define("SURFACE", one.index);
+    text.define(Feature::surface, one.index);
     text.file("surfaces/seen.frag");
     return std::move(text).pass(Role::seen, "seen", When::once_a_tile);
 }
 
 Pass shade_pass(const scene::OneSurface& one, const Passes& passes, When when) {
     ShaderText text;
-    text.define("LIGHTS", int(one.scene.lights.size()));
+    text.define(Feature::lights, int(one.scene.lights.size()));
     const bool from_surface = keeps_surfaces(one);
     const formula::Field& field = *one.surface.field;
     const bool paint = painting(one) != nullptr;
@@ -342,7 +345,7 @@ Pass shade_pass(const scene::OneSurface& one, const Passes& passes, When when) {
     }
     if (needs_gradient) add_gradient(text, one, passes);
     if (!one.is_alone()) {
-        text.define("SURFACE", one.index);
+        text.define(Feature::surface, one.index);
         text.generated("generated: which surface is seen",
                        "uniform sampler2D surface_texture_3;\n");
     }

@@ -1,8 +1,11 @@
 #include "shader/shader_code.h"
 
 #include <algorithm>
+#include <cctype>
 
 namespace isomotion::shader {
+
+bool is_of_a_word(char c) { return std::isalnum(static_cast<unsigned char>(c)) || c == '_'; }
 
 std::string code_of(std::string_view text) {
     constexpr std::string_view blank = " \t\r";

@@ -6,6 +6,9 @@
 
 namespace isomotion::shader {
 
+// Whether it is a letter, a digit or _.
+bool is_of_a_word(char c);
+
 // Returns the text without // comments, blank lines, and spaces at the ends of lines. Shaders have
 // no other comments.
 std::string code_of(std::string_view text);

@@ -4,9 +4,31 @@
 
 #include <fmt/format.h>
 
+#include "shader/active_lines.h"
+#include "shader/shader_code.h"
 #include "shader/shader_files.h"
 
 namespace isomotion::shader {
+namespace {
+
+std::string replaced(const std::string& text, const std::map<std::string, std::string>& words) {
+    if (words.empty()) return text;
+    std::string made;
+    for (auto at = text.begin(); at != text.end();) {
+        const auto end = std::find_if_not(at, text.end(), is_of_a_word);
+        if (end == at) {
+            made += *at++;
+            continue;
+        }
+        const std::string word(at, end);
+        const auto found = words.find(word);
+        made += found == words.end() ? word : found->second;
+        at = end;
+    }
+    return made;
+}
+
+} // namespace
 
 ShaderText::ShaderText(Stage stage)
     : files_{"prelude.glsl"}
@@ -14,7 +36,8 @@ ShaderText::ShaderText(Stage stage)
     , text_(read_shader("prelude.glsl")) { // #version must be the very first line
     if (stage_ == Stage::compute) {
         version(430);
-        define("WORKGROUP_SIDE", workgroup_side);
+        define(Feature::compute);
+        define(Feature::workgroup_side, workgroup_side);
     }
     file_of_stage("stage/fragment.glsl", "stage/compute.glsl");
 }
@@ -32,17 +55,29 @@ void ShaderText::file(const std::string& name) {
 }
 
 void ShaderText::file_again(const std::string& name) {
+    append(name, active_lines(name, read_shader(name), features_));
+}
+
+void ShaderText::instance(const std::string& name, const std::map<std::string, std::string>& words,
+                          const std::vector<Feature>& flags) {
+    Features own = features_;
+    for (const Feature flag : flags) own.add(flag);
+    append(name, replaced(active_lines(name, read_shader(name), own), words));
+}
+
+void ShaderText::append(const std::string& name, const std::string& text) {
     added_.insert(name);
-    text_ += fmt::format("\n// shaders/{}\n{}", name, read_shader(name));
+    text_ += fmt::format("\n// shaders/{}\n{}", name, text);
     if (std::find(files_.begin(), files_.end(), name) == files_.end()) files_.push_back(name);
 }
 
-void ShaderText::define(std::string_view name, int value) {
-    text_ += fmt::format("#define {} {}\n", name, value);
-}
+void ShaderText::define(Feature flag) { features_.add(flag); }
 
-void ShaderText::define(std::string_view name, std::string_view text) {
-    text_ += fmt::format("#define {} {}\n", name, text);
+void ShaderText::define(Feature feature, int value) { define(feature, std::to_string(value)); }
+
+void ShaderText::define(Feature feature, std::string_view value) {
+    if (features_.add(feature, std::string(value)))
+        text_ += fmt::format("#define {} {}\n", traits(feature).macro, value);
 }
 
 void ShaderText::generated(std::string_view what, const std::string& text) {
@@ -58,13 +93,13 @@ Pass ShaderText::pass(Role role, std::string name, When when, Cover cover) && {
     pass.files = std::move(files_);
     pass.text = std::move(text_);
     if (stage_ == Stage::fragment) {
-        pass.vertex = "#version 330 core\n";
-        if (cover.shaded_flat) pass.vertex += "#define FLAT_SHADING\n";
-        std::vector<std::string> files{"fullscreen.vert"};
-        if (cover.area == Cover::Area::rectangles) files.insert(files.begin(), "rectangles.glsl");
-        if (cover.area == Cover::Area::squares) files.insert(files.begin(), "squares.glsl");
-        for (const std::string& file : files) pass.vertex += read_shader(file);
-        pass.files.insert(pass.files.begin(), files.begin(), files.end());
+        Features features;
+        if (cover.shaded_flat) features.add(Feature::flat_shading);
+        if (cover.area == Cover::Area::rectangles) features.add(Feature::rectangles);
+        if (cover.area == Cover::Area::squares) features.add(Feature::squares);
+        const std::string file = "fullscreen.vert";
+        pass.vertex = "#version 330 core\n" + active_lines(file, read_shader(file), features);
+        pass.files.insert(pass.files.begin(), file);
     }
     note_declarations(pass);
     return pass;

@@ -1,11 +1,13 @@
 // One shader, put together from files and generated parts.
 #pragma once
 
+#include <map>
 #include <set>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "shader/feature.h"
 #include "shader/pass.h"
 #include "shader/stage.h"
 
@@ -26,14 +28,19 @@ public:
 
     // Sets the version of GLSL, instead of 330.
     void version(int glsl);
-    // Adds a file, once.
+    // Adds what is active in a file (active_lines.h), once.
     void file(const std::string& name);
     // Adds a file for numbers of any type once more.
     void file_again(const std::string& name);
+    // Adds a file whose words in capital letters stand for others, with flags of its own.
+    void instance(const std::string& name, const std::map<std::string, std::string>& words,
+                  const std::vector<Feature>& flags = {});
     // Adds the version of a file for the stage: the first name for fragment shaders.
     void file_of_stage(const std::string& fragment, const std::string& compute);
-    void define(std::string_view name, int value);
-    void define(std::string_view name, std::string_view text);
+    // Sets a flag, or a value, before the files that ask for it.
+    void define(Feature flag);
+    void define(Feature feature, int value);
+    void define(Feature feature, std::string_view value);
     void generated(std::string_view what, const std::string& text);
 
     const std::string& text() const { return text_; }
@@ -43,7 +50,10 @@ public:
     Pass pass(Role role, std::string name, When when, Cover cover = {}) &&;
 
 private:
+    void append(const std::string& name, const std::string& text);
+
     std::vector<std::string> files_;
+    Features features_;
     Stage stage_;
     std::string text_;
     std::set<std::string> added_;

@@ -24,7 +24,7 @@ void add_load_surface(ShaderText& text, const scene::OneSurface& one) {
                    "#define load_surface load_as_it_is\n");
     text.file("effects/load_surface.glsl");
     text.generated("load_surface() in this surface's coordinates", "#undef load_surface\n");
-    text.define("SURFACES", one.scene.surfaces.size());
+    text.define(Feature::surfaces, int(one.scene.surfaces.size()));
     text.file("surfaces/load_moved.glsl");
 }
 
@@ -36,7 +36,7 @@ void add_mirror_ray(ShaderText& text, const scene::OneSurface& one) {
     text.generated("mirrored rays of all pixels, renamed", "#define pixel_ray mirrored_ray\n");
     text.file("effects/mirror_ray.glsl");
     text.generated("mirrored rays of pixels that see a mirror", "#undef pixel_ray\n");
-    text.define("MIRRORS", scene::mirrors(one.scene));
+    text.define(Feature::mirrors, scene::mirrors(one.scene));
     text.file("surfaces/mirror_ray.glsl");
 }
 
@@ -64,7 +64,7 @@ void end_entrance(ShaderText& text, const scene::OneSurface& one, Origin origin,
 
 void add_store_nearest(ShaderText& text, const scene::OneSurface& one, Origin origin) {
     const bool of_eye = origin == Origin::eye;
-    text.define("SURFACE", one.index);
+    text.define(Feature::surface, one.index);
     text.file(of_eye ? "surfaces/eye_way.glsl" : "surfaces/mirror_way.glsl");
     text.file("surfaces/nearest.glsl");
     if (one.index == 0) {
@@ -88,7 +88,7 @@ void add_store_nearest(ShaderText& text, const scene::OneSurface& one, Origin or
 
 void add_keep_nearest(ShaderText& text, const scene::OneSurface& one, const Passes& passes) {
     text.file("surfaces/eye_way.glsl");
-    text.define("WAY_LOCATION", way_attachment(passes));
+    text.define(Feature::way_location, way_attachment(passes));
     text.file("surfaces/seen_way.glsl");
     if (one.index == 0) {
         text.file("surfaces/keep_first.glsl");
@@ -117,7 +117,7 @@ void begin_shadow_after_others(ShaderText& text, const scene::OneSurface& one, i
 Pass mirror_mask_pass(const scene::Scene& scene) {
     ShaderText text;
     text.file("march/verdict.glsl");
-    text.define("MIRRORS", scene::mirrors(scene));
+    text.define(Feature::mirrors, scene::mirrors(scene));
     text.file("surfaces/mirror_mask.frag");
     return std::move(text).pass(Role::mirror_mask, "mirror mask", When::once_a_tile);
 }
@@ -129,7 +129,7 @@ Pass occlusion_pass(const scene::OneSurface& one, const Passes& passes) {
     if (!one.scene.sections.empty()) text.file("section/distance.glsl");
     text.file("effects/surface_point.glsl");
     add_load_surface(text, one);
-    text.define("SURFACE", one.index);
+    text.define(Feature::surface, one.index);
     text.generated("generated: what the surfaces before leave",
                    one.index == 0 ? "float open_before() {\n    return 1.0;\n}\n"
                                   : "uniform sampler2D occlusion_texture;\n"

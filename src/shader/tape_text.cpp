@@ -103,11 +103,6 @@ std::string along_axes(FieldFunction function) {
                              : "return vec3(slopes[0], slopes[1], slopes[2]);");
 }
 
-void set_name(ShaderText& text, const std::string& name, const std::string& value) {
-    text.generated("names for the next tapes",
-                   fmt::format("#undef {0}\n#define {0} {1}\n", name, value));
-}
-
 } // namespace
 
 std::shared_ptr<const FieldTapes> FieldTapes::of(const formula::Field& field) {
@@ -209,29 +204,31 @@ void add_tapes(ShaderText& text, const FieldTapes& tapes,
         for (const auto& kernel : interval_files(interval_kernels)) text.file(kernel);
     }
     text.file("tape/cells.glsl");
-    text.define("TAPE_OF_RAYS", spans_of(FieldFunction::directional));
+    text.define(Feature::tape_of_rays, spans_of(FieldFunction::directional));
     for (const bool boxes : {false, true}) {
         const int registers = boxes ? intervals : numbers;
         if (registers == 0) continue;
-        text.file(boxes ? "tape/intervals.glsl" : "tape/numbers.glsl");
-        text.generated("registers of tapes",
-                       fmt::format("#undef TAPE_MASK\n#define TAPE_MASK {}u\n{} {}[{}];\n",
-                                   registers - 1, boxes ? "vec2" : "float",
-                                   boxes ? "tape_intervals" : "tape_numbers", registers));
+        const std::string number = boxes ? "vec2" : "float";
+        const std::string all = boxes ? "tape_intervals" : "tape_numbers";
+        text.generated("registers of tapes", fmt::format("{} {}[{}];\n", number, all, registers));
         for (const FieldFunction function : functions) {
             if (is_on_intervals(function) != boxes) continue;
             const formula::TapeFunctions::Function& tape = tapes.function(function);
-            const std::string prefix = "tape_" + number_of(function);
-            text.generated("operations of tapes", tape.operations.glsl(prefix));
-            set_name(text, "TAPE_RUN", "run_" + prefix);
-            set_name(text, "TAPE_OPERANDS", "operands_of_" + prefix);
-            set_name(text, "TAPE_STEP", "step_of_" + prefix);
-            set_name(text, "TAPE_APPLY", prefix + "_apply");
-            if (tape.operations.has_calls())
-                set_name(text, "TAPE_CALL", prefix + "_call");
-            else
-                text.generated("no calls", "#undef TAPE_CALL\n");
-            text.file_again("tape/run.glsl");
+            const std::string name = "tape_" + number_of(function);
+            text.generated("operations of tapes", tape.operations.glsl(name));
+            text.instance("tape/run.glsl",
+                          {{"TAPE_RUN", "run_" + name},
+                           {"TAPE_OPERANDS", "operands_of_" + name},
+                           {"TAPE_STEP", "step_of_" + name},
+                           {"TAPE_APPLY", name + "_apply"},
+                           {"TAPE_CALL", name + "_call"},
+                           {"TAPE_NUMBER", number},
+                           {"TAPE_REGISTERS", all},
+                           {"TAPE_LITERAL", boxes ? "tape_interval" : "tape_float"},
+                           {"TAPE_CHOOSE", boxes ? "IM_SELECT2" : "IM_SELECT"},
+                           {"TAPE_MASK", std::to_string(registers - 1) + "u"}},
+                          tape.operations.has_calls() ? std::vector{Feature::calls}
+                                                      : std::vector<Feature>{});
             text.generated("runs tapes", glsl_of(function, tape));
         }
     }
@@ -241,15 +238,16 @@ void add_tapes(ShaderText& text, const FieldTapes& tapes,
 }
 
 void add_way_past_free_tapes(ShaderText& text) {
-    text.define("PASSES_FREE", 1);
+    text.define(Feature::passes_free);
     text.file("tape/free_cells.glsl");
     text.file("march/pass_free.glsl");
 }
 
 void add_signs_in_free_tapes(ShaderText& text, const FieldTapes& tapes) {
-    text.define("SIGNS_IN_FREE_CELLS", 1);
-    text.define("TAPE_INPUTS", tapes.function(FieldFunction::directional).inputs);
-    text.define("RUN_TAPE_OF_RAYS", fmt::format("run_tape_{}", int(FieldFunction::directional)));
+    text.define(Feature::signs_in_free_cells);
+    text.define(Feature::tape_inputs, tapes.function(FieldFunction::directional).inputs);
+    text.define(Feature::run_tape_of_rays,
+                fmt::format("run_tape_{}", int(FieldFunction::directional)));
     text.file("tape/signs.glsl");
 }
 

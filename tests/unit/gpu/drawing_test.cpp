@@ -257,10 +257,9 @@ TEST_P(DrawingTest, ASamplesQuerySeesWhetherAnythingWasWritten) {
 
 // Each pixel of a rectangle is drawn once, also on the diagonal of its two triangles.
 TEST_P(DrawingTest, RectanglesHoldTheirPixelsOnce) {
-    std::ifstream file(ISOMOTION_SOURCE_DIR "/shaders/rectangles.glsl");
-    const std::string vertex = "#version 330 core\n" +
-                               std::string(std::istreambuf_iterator<char>(file), {}) +
-                               "void main() { gl_Position = vec4(corner(), 0.0, 1.0); }";
+    std::ifstream file(ISOMOTION_SOURCE_DIR "/shaders/fullscreen.vert");
+    const std::string vertex = "#version 330 core\n#define RECTANGLES\n" +
+                               std::string(std::istreambuf_iterator<char>(file), {});
     const Program program(vertex,
                           "#version 330 core\nout vec4 color;\nvoid main() { color = vec4(1.0); }",
                           "rectangles");

@@ -99,7 +99,7 @@ glm::dvec3 in_map(const Placed& placed, const glm::vec3& d) {
 
 std::string probe_shader(const std::vector<std::string>& effects) {
     ShaderText text;
-    text.define("LIGHTS", 1);
+    text.define(Feature::lights, 1);
     text.file("shade/shading.glsl");
     for (const auto& file : kernel_files({"atan"})) text.file(file);
     for (const auto& file : effects) text.file("effects/" + file);

@@ -44,6 +44,12 @@ TEST(InlinedSize, WavesCountTwoFifths) {
         2);
 }
 
+TEST(InlinedSize, MarchesCountTwice) {
+    EXPECT_DOUBLE_EQ(inlined_size("float march(float x) {\n    return x + x;\n}\n"
+                                  "void main() {\n    march(p);\n}\n"),
+                     2);
+}
+
 double size_of(int terms) {
     std::string formula = "z";
     for (int k = 1; k <= terms; ++k) formula += fmt::format(" + sin({0}*x)*cos({0}.5*y)", k);

@@ -1,0 +1,135 @@
+// What a pass is: the features that decide which parts of the shader files it has, and the values
+// that these are compiled with. Files ask for them by the names of macros: #ifdef SECTIONS.
+#pragma once
+
+#include <map>
+#include <optional>
+#include <set>
+#include <string>
+#include <string_view>
+
+namespace isomotion::shader {
+
+enum class Feature {
+    // The pass.
+    compute,        // a compute shader: otherwise a fragment shader
+    rectangles,     // its vertex shader draws rectangles,
+    squares,        // or squares: otherwise the whole viewport
+    flat_shading,   // the vertex shader passes the shading inputs on
+    workgroup_side, // pixels
+    // What its rays and beams know.
+    three_samples,       // the state of a ray has three samples
+    lists,               // elements are found by lists
+    grid,                // or by place
+    copies,              // lists are copies in a texture
+    branches,            // the processor skips what no ray of a group needs
+    rough,               // intervals judge where F isn't smooth
+    walls,               // where F jumps is a wall
+    bounded_touches,     // bounds judge where cubics take F for 0
+    most_tries,          // the boxes in which they do
+    solves,              // rays are solved between two samples
+    settles,             // beams by models have settled blocks
+    passes_free,         // rays pass cells without roots
+    signs_in_free_cells, // whose samples are a number of F's sign
+    footprint,           // highlights are blurred by a pixel's footprint
+    // What is seen.
+    lights,         // how many
+    shadows,        // a bit for each light that casts shadows
+    light_beams,    // a bit for each light with beams of its own
+    sections,       // how many
+    section_balls,  // a bit for each ball
+    parts,          // the most parts that they leave of a ray
+    surfaces,       // how many
+    surface,        // which this is, from 0 on
+    surface_number, // the same from 1 on
+    mirrors,        // a bit for each surface that mirrors the others
+    glass,          // the surface is of glass
+    most_crossings, // of bounds by a path
+    // Attachments.
+    depth_location,
+    normal_location,
+    position_location,
+    cap_location,
+    surface_location,
+    ending_location,
+    way_location,
+    // Blocks of pixels and their beams.
+    block,       // pixels across
+    square_bits, // march/beam_place.glsl
+    squares_apart,
+    parent_block, // of the beams that these lie in
+    parent_square_bits,
+    parent_settles,
+    both_ends,        // 1: beams are shortened from both ends
+    trimmed,          // by models, from both ends
+    list_of_all,      // 1: a level of beams makes lists for the whole beam
+    lists_of_a_block, // how many
+    front,            // of a beam, as a part of all
+    pieces,           // of a beam in which elements are bounded
+    front_pieces,
+    most_terms,
+    texels, // of an element
+    // Copies of elements: march/copies.glsl.
+    level,
+    slots,
+    first_slots,
+    first_block,
+    middle_slots,
+    middle_block,
+    last_slots,
+    last_level,
+    larger_block,
+    mask_texels,
+    texels_of_none,
+    list_of_larger,
+    // Elements by place, and tapes.
+    most_cells,
+    most_elements,
+    grid_others,
+    tape_of_rays,
+    tape_inputs,
+    run_tape_of_rays,
+    calls, // the tape is one of groups, which it calls
+    // Proofs.
+    rays,            // of a block
+    coarse,          // the block is a coarse one
+    coarse_block,    // pixels across those
+    proved_block,    // pixels across blocks
+    whole_blocks,    // rays are drawn by blocks
+    list_across,     // texels in a row of the list of open rays
+    bounds_rounding, // by which the bounds may be off
+    // Probes of a driver.
+    literals,
+    chains,
+    unrolled,
+    fused, // 1: multiply-adds are
+};
+
+// A flag is not in the text, which has only the parts that ask for it; a value is.
+enum class FeatureKind { flag, value };
+struct FeatureTraits {
+    Feature feature;
+    std::string_view macro;
+    FeatureKind kind = FeatureKind::value;
+};
+const FeatureTraits& traits(Feature feature);
+std::optional<Feature> feature_of(std::string_view macro);
+// The macro that is spelled most like a name, or empty.
+std::string nearest_feature(std::string_view name);
+
+// The features of one text and their values.
+class Features {
+public:
+    // False if the text has it already. Throws std::logic_error if it has another value, or if a
+    // file that asked before was told that the text lacks it.
+    bool add(Feature feature, std::string value = "1");
+    // These answer files, and remember what they answered.
+    bool has(Feature feature);
+    int value(Feature feature); // 0 if the text lacks it, as in C
+
+private:
+    std::map<Feature, std::string> values_;
+    std::set<Feature> denied_;
+};
+
+} // namespace isomotion::shader
