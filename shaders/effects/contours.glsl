@@ -39,7 +39,3 @@ float on_contours(vec3 position, vec3 normal) {
     bool is_known = pixel > 1.0e-6 * max(abs(x), 1.0e-6) && !im_is_nan(part);
     return is_known ? clamp(part, 0.0, 1.0) : 0.0;
 }
-
-vec3 surface_color(Hit hit) {
-    return mix(color_below(hit), contour_color.rgb, on_contours(hit.position, hit.normal));
-}

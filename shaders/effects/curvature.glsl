@@ -1,6 +1,7 @@
 // Curvatures of the surface, as in src/formula/curvature.h. They are computed in a frame of the
 // tangent plane, which avoids the differences of large terms in formulas by coordinates. Needs
 // state.glsl and field_hessian().
+#ifdef CURVATURE
 vec3 surface_gradient(RayState s, vec3 position);
 
 // Mean and Gaussian curvature; NaN where the gradient vanishes.
@@ -29,3 +30,9 @@ vec2 curvatures(Hit hit) {
     float uv = dot(u, hv);
     return vec2(0.5 * (dot(u, hu) + dot(v, hv)), dot(u, hu) * dot(v, hv) - uv * uv);
 }
+#else
+// For expressions that name none.
+vec2 curvatures(Hit hit) {
+    return vec2(0.0);
+}
+#endif

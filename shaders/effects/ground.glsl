@@ -1,12 +1,13 @@
-// An infinite plane. Needs surface_point.glsl, footprint_at() and ray_begin().
+// An infinite plane. Needs surface_point.glsl and footprint_at().
 uniform vec4 ground_plane; // dot(xyz, p) + w = 0, xyz the world's z axis, formula coordinates
 
-SurfacePoint before_ground(Ray ray, SurfacePoint p) {
+// `begin`: of the ray.
+SurfacePoint before_ground(Ray ray, SurfacePoint p, float begin) {
     float slope = dot(ground_plane.xyz, ray.direction);
     if (slope == 0.0) return p;
     float t = -(dot(ground_plane.xyz, ray.anchor) + ground_plane.w) / slope;
     bool is_first = p.verdict == VERDICT_MISS || is_on_surface(p) && t < p.t;
-    if (!is_first || t <= ray_begin(ray)) return p;
+    if (!is_first || t <= begin) return p;
     vec3 position = ray_point(ray, t);
     vec3 normal = slope > 0.0 ? -ground_plane.xyz : ground_plane.xyz;
     float pixel = footprint_at(position);

@@ -1,7 +1,9 @@
-// Colours a point by a number. Needs paint_value(), a file with curvatures(), one with color_map().
+// Colours a point by expressions of the place: by a number on a map of colours, or by a colour. Needs
+// curvatures(), and color_map() and paint_value(), or color_value().
+#ifdef PAINT
 uniform vec2 paint_range; // numbers at the ends of the map
 
-vec3 surface_color(Hit hit) {
+vec3 painted_color(Hit hit) {
     vec3 rising = hit.inside ? -hit.normal : hit.normal; // towards F > 0
     vec3 n = normalize(mat3(to_world) * rising);
     float value = paint_value(hit.position, n, curvatures(hit), float(load_state().evaluations));
@@ -9,3 +11,11 @@ vec3 surface_color(Hit hit) {
     // NaN is grey, darker than the greys near the middle of a map.
     return im_is_nan(u) ? vec3(0.05) : color_map(clamp(u, 0.0, 1.0));
 }
+#else
+vec3 painted_color(Hit hit) {
+    vec3 rising = hit.inside ? -hit.normal : hit.normal; // towards F > 0
+    vec3 n = normalize(mat3(to_world) * rising);
+    return color_value(hit.position, n, curvatures(hit), float(load_state().evaluations),
+                       material_color.rgb);
+}
+#endif

@@ -1,5 +1,51 @@
 // Marches shadow rays from each point to every light that casts shadows, one light after the other.
-// hidden_lights.glsl tells what the ray's state holds.
+
+// What the state of a pixel's shadow rays tells of its lights. `verdict` has a bit for each light
+// that is hidden; above these it counts the lights that were begun, and the rays that stay
+// undecided. When all is done, only the bits are left, and the rays undecided are in `refinements`.
+const int BEGUN_LIGHT = 1 << LIGHTS, UNDECIDED_RAY = 16 * BEGUN_LIGHT;
+
+int begun_lights(RayState s) {
+    return (s.verdict >> LIGHTS) & 15;
+}
+
+RayState finish_lights(RayState s) {
+    s.refinements = s.verdict / UNDECIDED_RAY;
+    return finish(s, s.verdict % BEGUN_LIGHT);
+}
+
+// Whether the pixel's rays have taken so much that the present one ends: it has met no sign of F but
+// that of its light, so the light is seen. What the rays of earlier lights left may be used up.
+// `before`: evaluations for other surfaces.
+bool is_undecided(RayState s, int before) {
+    return s.evaluations - before >= most_of_a_shadow_ray() * begun_lights(s);
+}
+
+#if SURFACE > 0
+// Shadow rays go on for the lights that no surface before this one hides, of which shadow_texture tells.
+uniform sampler2D shadow_texture;
+
+RayState begin_lights() {
+    RayState s = state_at(0.0);
+    vec4 others = texelFetch(shadow_texture, ivec2(pixel_centre), 0);
+    s.verdict = int(others.y) + UNDECIDED_RAY * int(others.w);
+    s.evaluations = int(others.z);
+    return s;
+}
+
+int evaluations_before() {
+    return int(texelFetch(shadow_texture, ivec2(pixel_centre), 0).z);
+}
+#else
+// Shadow rays begin with no light hidden.
+RayState begin_lights() {
+    return state_at(0.0);
+}
+
+int evaluations_before() {
+    return 0;
+}
+#endif
 
 uniform bool first_pass;
 uniform int evaluations_per_pass;
@@ -24,8 +70,12 @@ Ray shadow_ray(SurfacePoint p, int k) {
 RayState next_light(RayState s, SurfacePoint p) {
     bool anything = is_on_surface(p) || p.on_ground;
     int begun = begun_lights(s);
+    int asked = SHADOWS;
+#if SURFACE > 0
+    asked &= ~s.verdict; // what the surfaces before leave
+#endif
     for (int k = begun; k < LIGHTS && anything; ++k) {
-        if (((SHADOWS >> k) & 1) == 0) continue;
+        if (((asked >> k) & 1) == 0) continue;
         if (dot(p.normal, light_at(k, p.position).direction) <= 0.0) continue;
         s.verdict += (k + 1 - begun) * BEGUN_LIGHT;
         s.refinements = 0;

@@ -1,11 +1,6 @@
-// The next ray of a pixel's path. `eye_ray` is pixel_ray() of march/ray.glsl. Needs path.glsl, may_meet()
-// and least_begin().
+// The next ray of a pixel's path. Needs path.glsl, may_meet() and least_begin().
 
-float ray_begin(Ray ray) {
-    return 0.0;
-}
-
-Ray pixel_ray() {
+Ray path_ray() {
     Path path = load_path();
     Ray ray = eye_ray();
     ray.anchor = path.position;
@@ -15,4 +10,8 @@ Ray pixel_ray() {
     ray.t_far = may_meet(path) ? inside.y : -1.0;
     ray.to_eye = 0.0;
     return ray;
+}
+
+Ray pixel_ray() {
+    return path_ray();
 }

@@ -1,4 +1,5 @@
-// Finds the parts of a ray that sections leave. Needs ray.glsl and sections.glsl.
+// Finds the parts of a ray that sections leave, and ends rays on caps. Needs ray.glsl, state.glsl and
+// sections.glsl.
 
 // A part of a ray. The cuts are the sections that end it at each end, or -1.
 struct Part {
@@ -57,4 +58,17 @@ Part part_from(Ray ray, float from) {
     }
 #endif
     return part;
+}
+
+// Ends a ray on the cap of a section; cap_of() returns that section, or -1.
+
+RayState end_on_cap(RayState s, float t, int section) {
+    s.low = t;
+    s.refinements = -1 - section;
+    return finish(s, VERDICT_HIT);
+}
+
+int cap_of(RayState s) {
+    bool is_cap = s.phase == PHASE_DONE && s.verdict == VERDICT_HIT && s.refinements < 0;
+    return is_cap ? -1 - s.refinements : -1;
 }

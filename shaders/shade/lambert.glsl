@@ -6,3 +6,14 @@ vec3 shade(Hit hit) {
     }
     return surface_color(hit) * light;
 }
+
+#if defined(SURFACE) && !defined(DRAWS_AT_ONCE)
+// One surface among several that calls for no more.
+vec3 shade(Ray ray, SurfacePoint p, Hit hit) {
+    return shade(hit);
+}
+
+uvec3 further_record(SurfacePoint p) {
+    return uvec3(0u);
+}
+#endif

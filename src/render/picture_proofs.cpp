@@ -11,7 +11,7 @@ using shader::Channel, shader::Role;
 
 // What the way from t on this surface's ray to t on the first one's and back may round: distances
 // from the eye and between the planes where t is 0, some ten times each at most
-// (shaders/surfaces/eye_way.glsl, shaders/proof/ending_of_surface.frag).
+// (shaders/surfaces/way.glsl, shaders/proof/ending_of_surface.frag).
 double rounding_of_way(const scene::OneSurfaceAt& own, const scene::OneSurfaceAt& first, int width,
                        int height, const scene::Aim& aim) {
     const auto longest = [&](const scene::OneSurfaceAt& now) {

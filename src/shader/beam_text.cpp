@@ -12,6 +12,7 @@
 #include "formula/glsl/glsl_model.h"
 #include "formula/linear_sum.h"
 #include "shader/beam_copies_text.h"
+#include "shader/march_text.h"
 #include "shader/model_text.h"
 #include "shader/section_text.h"
 #include "shader/shader_text.h"
@@ -47,9 +48,7 @@ void add_boxes(ShaderText& text, const scene::OneSurface& one, const Passes& pas
                const BeamLevel* parent) {
     text.generated("generated: least and most tau, the shortest piece; rounding, a length",
                    "uniform vec4 beam;\n");
-    const bool box = one.surface.bounds.shape == scene::Bounds::Shape::box;
-    text.file(box ? "march/beam_box.glsl" : "march/beam_sphere.glsl");
-    text.file("march/beam_way.glsl");
+    define_bounds(text, one);
     if (parent && has_copies(passes)) {
         add_copies_of_parent(text, passes, int(parent - passes.beams.data()) + 1);
     } else if (parent && has_lists(passes)) {
@@ -57,7 +56,7 @@ void add_boxes(ShaderText& text, const scene::OneSurface& one, const Passes& pas
     }
     if (parent) define_parent(text, *parent);
     if (parent) text.file("march/part_of_beam.glsl");
-    text.file(parent ? "march/beam_of_parent.glsl" : "march/beam_whole.glsl");
+    text.file("march/beam_of_block.glsl");
 }
 
 // Bounds of Chebyshev polynomials and of waves cost more than the samples they save.
@@ -142,7 +141,8 @@ Pass beam_pass_by_intervals(const scene::OneSurface& one, const Passes& passes, 
     }
     text.file_of_stage("frame.glsl", "stage/frame.glsl");
     add_boxes(text, one, passes, parent);
-    add_sections_over_boxes(text, one.scene);
+    text.define(Feature::beam_boxes);
+    add_sections(text, one.scene);
     if (makes_lists) text.file("march/beam_list.glsl");
     text.file("march/beam_by_intervals.glsl");
     text.file_of_stage("stage/beam.frag", "stage/beam.comp");
@@ -164,7 +164,6 @@ Pass beam_pass_by_models(const scene::OneSurface& one, const Passes& passes, int
     text.file("models/piece_of_block.glsl");
     text.define(Feature::bounds_rounding, "beam.w");
     add_inside_bounds(text, one);
-    text.file("models/box_within_bounds.glsl");
     text.file("march/beam_by_models.glsl");
     text.file_of_stage("stage/beam.frag", "stage/beam.comp");
     Pass pass = std::move(text).pass(Role::beams, name_of(beam), When::once_a_tile);
@@ -173,8 +172,11 @@ Pass beam_pass_by_models(const scene::OneSurface& one, const Passes& passes, int
 }
 
 void add_entrance_file(ShaderText& text, bool by_beams) {
-    if (by_beams) text.file("march/part_of_beam.glsl");
-    text.file(by_beams ? "march/enter_beam.glsl" : "march/enter_bounds.glsl");
+    if (by_beams) {
+        text.define(Feature::beams);
+        text.file("march/part_of_beam.glsl");
+    }
+    text.file("march/enter_beam.glsl");
 }
 
 } // namespace

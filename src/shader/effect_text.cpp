@@ -278,7 +278,7 @@ void add_shading(ShaderText& text, const scene::OneSurface& one) {
     if (reflection != Reflection::none) glue += "    color = mirrored(color, ray, p, hit);\n";
     if (follows_paths(one.scene)) glue += "    color = with_path(color);\n";
     if (has_glass_alone) glue += "    color = with_glass(color, ray, p);\n";
-    if (one.scene.fog) glue += "    color = in_fog(color, p.t - ray_begin(ray));\n";
+    if (one.scene.fog) glue += "    color = in_fog(color, p.t - eye_begin(ray));\n";
     glue += "    return color;\n}\n";
     if (follows_paths(one.scene)) text.file("paths/packed_shadows.glsl");
     glue += further_record(one);

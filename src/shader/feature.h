@@ -18,21 +18,32 @@ enum class Feature {
     flat_shading,   // the vertex shader passes the shading inputs on
     workgroup_side, // pixels
     // What its rays and beams know.
-    three_samples,       // the state of a ray has three samples
-    lists,               // elements are found by lists
-    grid,                // or by place
-    copies,              // lists are copies in a texture
-    branches,            // the processor skips what no ray of a group needs
-    rough,               // intervals judge where F isn't smooth
-    walls,               // where F jumps is a wall
-    bounded_touches,     // bounds judge where cubics take F for 0
-    most_tries,          // the boxes in which they do
-    solves,              // rays are solved between two samples
-    settles,             // beams by models have settled blocks
-    passes_free,         // rays pass cells without roots
-    signs_in_free_cells, // whose samples are a number of F's sign
-    footprint,           // highlights are blurred by a pixel's footprint
+    eye_rays,             // rays are those of the eye,
+    mirrored_rays,        // or mirrored ones,
+    path_rays,            // or those of paths through glass
+    ended_rays,           // or those of the eye up to what is seen
+    draws_at_once,        // march and picture are one draw
+    settled_rays,         // all rays are settled
+    march_takes_gradient, // the march samples the gradient at the root
+    caps_by_samples,      // samples of the march tell where caps are
+    bounds_pieces,        // the method bounds F over pieces of rays
+    three_samples,        // the state of a ray has three samples
+    beams,                // rays begin and end by beams
+    lists,                // elements are found by lists
+    grid,                 // or by place
+    copies,               // lists are copies in a texture
+    branches,             // the processor skips what no ray of a group needs
+    rough,                // intervals judge where F isn't smooth
+    walls,                // where F jumps is a wall
+    bounded_touches,      // bounds judge where cubics take F for 0
+    most_tries,           // the boxes in which they do
+    solves,               // rays are solved between two samples
+    settles,              // beams by models have settled blocks
+    passes_free,          // rays pass cells without roots
+    signs_in_free_cells,  // whose samples are a number of F's sign
+    footprint,            // highlights are blurred by a pixel's footprint
     // What is seen.
+    box,            // the bounds are a box: otherwise a sphere
     lights,         // how many
     shadows,        // a bit for each light that casts shadows
     light_beams,    // a bit for each light with beams of its own
@@ -41,8 +52,17 @@ enum class Feature {
     parts,          // the most parts that they leave of a ray
     surfaces,       // how many
     surface,        // which this is, from 0 on
-    surface_number, // the same from 1 on
+    ends_before,    // rays end at the surfaces before this one
+    moved_ends,     // ends of rays are moved to the coordinates of this surface
     mirrors,        // a bit for each surface that mirrors the others
+    follows_paths,  // light follows paths among several surfaces
+    two_sides,      // a colour for the side where F < 0
+    paint,          // the colour is an expression: a number's,
+    color_by_place, // or three of them
+    blue_yellow,    // the map of the number's colours
+    curvature,      // the expression names curvatures
+    contours,       // lines over the colour
+    cap_color,      // caps of sections have a colour of their own
     glass,          // the surface is of glass
     most_crossings, // of bounds by a path
     // Attachments.
@@ -54,6 +74,7 @@ enum class Feature {
     ending_location,
     way_location,
     // Blocks of pixels and their beams.
+    beam_boxes,  // the pass is about boxes around beams
     block,       // pixels across
     square_bits, // march/beam_place.glsl
     squares_apart,

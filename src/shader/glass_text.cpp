@@ -5,6 +5,7 @@
 #include "shader/effect_text.h"
 #include "shader/march_text.h"
 #include "shader/section_text.h"
+#include "shader/shade_text.h"
 #include "shader/shader_files.h"
 
 namespace isomotion::shader {
@@ -80,9 +81,7 @@ Pass next_pass(const scene::OneSurface& one, const Passes& passes) {
     add_ray(text, one, Origin::glass);
     text.file("shade/shading.glsl");
     text.file("effects/surface_point.glsl");
-    add_gradient_of_rest(text, one.scene,
-                         passes.march_takes_gradient ? "shade/gradient_from_state.glsl"
-                                                     : "shade/gradient_from_field.glsl");
+    add_gradient(text, passes);
     add_way_through(text, one.scene);
     text.file("glass/next.frag");
     return std::move(text).pass(Role::glass_next, "glass next", When::until_rays_end);

@@ -90,7 +90,7 @@ std::map<std::string_view, Function> functions_of(std::string_view shader) {
 double part_left(std::string_view name) {
     if (name == "im_sin_cos") return 0.4;
     // Limits were measured with the loop of a march counted twice.
-    if (name == "march" || name == "march_part") return 2;
+    if (name == "march_part") return 2;
     const bool bounds = name.ends_with("_interval") || name.ends_with("_rough");
     return name.starts_with("field_") && bounds ? 0.5 : 1;
 }

@@ -66,6 +66,7 @@ void add_isolation(ShaderText& text, const scene::OneSurface& one, const Passes&
     const bool directional = passes.samples.front() == FieldFunction::directional;
     const bool bounds = method.samples == scene::Samples::value_and_bounds;
     const bool is_rough = meets_rough_places(one);
+    if (bounds) text.define(Feature::bounds_pieces);
     if (bounds || is_rough || judges_touches(one)) text.file("march/piece_box.glsl");
     if (bounds || is_rough) text.file("march/piece_bounds.glsl");
     if (!bounds) {
@@ -118,20 +119,23 @@ std::vector<FieldFunction> samples_of(const scene::OneSurface& one, bool march_t
 }
 
 void add_ray(ShaderText& text, const scene::OneSurface& one, Origin origin) {
-    const bool box = one.surface.bounds.shape == scene::Bounds::Shape::box;
+    if (!one.is_alone()) text.define(Feature::surface, int(one.index));
     add_sections(text, one.scene);
     text.file_of_stage("frame.glsl", "stage/frame.glsl");
     text.file("march/verdict.glsl");
-    text.file(box ? "march/clip_box.glsl" : "march/clip_sphere.glsl");
-    if (origin == Origin::eye) {
-        text.file("march/ray.glsl");
-    } else {
-        text.generated("the eye's ray by another name", "#define pixel_ray eye_ray\n");
-        text.file("march/ray.glsl");
-        text.generated(origin == Origin::mirror ? "and the mirrored one by its"
-                                                : "and the path's by its",
-                       "#undef pixel_ray\n");
+    define_bounds(text, one);
+    switch (origin) {
+    case Origin::eye:
+        text.define(Feature::eye_rays);
+        break;
+    case Origin::mirror:
+        text.define(Feature::mirrored_rays);
+        break;
+    case Origin::glass:
+        text.define(Feature::path_rays);
+        break;
     }
+    text.file("march/ray.glsl");
     if (origin == Origin::glass && follows_paths(one.scene)) {
         add_path_ray(text, one);
     } else if (origin == Origin::glass) {
@@ -144,6 +148,10 @@ void add_ray(ShaderText& text, const scene::OneSurface& one, Origin origin) {
     }
     text.file("march/state.glsl");
     add_parts(text, one.scene);
+}
+
+void define_bounds(ShaderText& text, const scene::OneSurface& one) {
+    if (one.surface.bounds.shape == scene::Bounds::Shape::box) text.define(Feature::box);
 }
 
 void define_state(ShaderText& text, const Passes& passes) {
@@ -165,9 +173,8 @@ void add_march(ShaderText& text, const scene::OneSurface& one, const Passes& pas
                Draws draws) {
     const bool beam = !passes.beams.empty() && origin == Origin::eye;
     if (beam && has_lists(passes)) text.define(Feature::lists);
-    begin_entrance(text, one, origin);
+    add_ways(text, one, origin);
     add_entrance(text, passes, beam);
-    end_entrance(text, one, origin, draws);
     add_isolation(text, one, passes);
     text.file(passes.march_takes_gradient ? "march/gradient_at_root.glsl"
                                           : "march/end_at_root.glsl");
@@ -176,13 +183,10 @@ void add_march(ShaderText& text, const scene::OneSurface& one, const Passes& pas
         add_files(text,
                   std::array<std::string_view, 4>{"beam_roots", "slab", "begin_in_slab", "newton"});
     }
-    const bool cuts = !one.scene.sections.empty(), tells = samples_tell_caps(one, passes);
-    if (cuts && tells) begin_turn_of_part(text);
     add_turn(text, one, passes);
-    if (cuts && tells) end_turn_of_part(text);
     if (array_with_grid(passes)) text.define(Feature::grid);
     if (passes_free_cells(one, passes)) add_way_past(text, passes);
-    add_march_through_parts(text, one, "march/march.glsl", tells);
+    add_march_of_parts(text, one, samples_tell_caps(one, passes));
 }
 
 void add_settled_march(ShaderText& text, const Passes& passes) {
@@ -248,9 +252,6 @@ Pass shadow_pass(const scene::OneSurface& one, const Passes& passes) {
     if (passes_free_cells(one, passes)) add_way_past(text, passes);
     text.file(fmt::format("march/{}.glsl", method.any_hit));
     add_crossings(text, one);
-    if (!one.scene.sections.empty()) text.file("section/shadow.glsl");
-    text.file("effects/hidden_lights.glsl");
-    begin_shadow_after_others(text, one, shadow_mask(one.scene));
     text.file("effects/shadow.glsl");
     text.file_of_stage("stage/march.frag", "stage/march.comp");
     return std::move(text).pass(Role::shadow, "shadow", When::until_rays_end);

@@ -13,6 +13,8 @@ std::vector<FieldFunction> samples_of(const scene::OneSurface& one, bool march_t
 
 // Defines Ray, pixel_ray() and RayState: the origin of rays and the state kept for them.
 void add_ray(ShaderText& text, const scene::OneSurface& one, Origin origin = Origin::eye);
+// Defines the shape of the bounds.
+void define_bounds(ShaderText& text, const scene::OneSurface& one);
 // Defines the additional parts of a ray's state. Call it before add_ray().
 void define_state(ShaderText& text, const Passes& passes);
 // Whether march and picture are one draw, or several.

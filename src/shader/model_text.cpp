@@ -1,6 +1,7 @@
 #include "shader/model_text.h"
 
 #include "formula/glsl/glsl_model.h"
+#include "shader/march_text.h"
 
 namespace isomotion::shader {
 
@@ -19,8 +20,8 @@ void add_piece_models(ShaderText& text, const formula::Field& field, const std::
 }
 
 void add_inside_bounds(ShaderText& text, const scene::OneSurface& one) {
-    const bool box = one.surface.bounds.shape == scene::Bounds::Shape::box;
-    text.file(box ? "models/inside_box.glsl" : "models/inside_sphere.glsl");
+    define_bounds(text, one);
+    text.file("models/inside_bounds.glsl");
 }
 
 } // namespace isomotion::shader

@@ -6,14 +6,6 @@
 #include "shader/shader_text.h"
 
 namespace isomotion::shader {
-namespace {
-
-const char* file_of(scene::ColorMap map) {
-    return map == scene::ColorMap::blue_yellow ? "effects/blue_yellow.glsl"
-                                               : "effects/blue_orange.glsl";
-}
-
-} // namespace
 
 const formula::Paint* painting(const scene::OneSurface& one) {
     const scene::Material& material = one.surface.material;
@@ -50,15 +42,13 @@ std::vector<GeneratedFunction> painting_functions(const scene::OneSurface& one,
 
 void add_painting(ShaderText& text, const scene::OneSurface& one) {
     const scene::Material& material = one.surface.material;
-    text.file(painting(one)->hessian ? "effects/curvature.glsl" : "effects/no_curvature.glsl");
-    if (material.paint) {
-        text.file("effects/oklab.glsl");
-        text.file(file_of(material.paint->map));
-        text.file("effects/paint.glsl");
-    } else {
-        text.file("effects/color_by_place.glsl");
-        text.file(material.inside ? "effects/front_by_place.glsl" : "effects/sides_by_place.glsl");
-    }
+    if (painting(one)->hessian) text.define(Feature::curvature);
+    text.define(material.paint ? Feature::paint : Feature::color_by_place);
+    if (material.paint && material.paint->map == scene::ColorMap::blue_yellow)
+        text.define(Feature::blue_yellow);
+    if (material.paint) text.file("effects/color_map.glsl");
+    text.file("effects/curvature.glsl");
+    text.file("effects/paint.glsl");
 }
 
 } // namespace isomotion::shader

@@ -20,7 +20,7 @@ bool sums_all_elements(const formula::Paint& paint, const FieldStorage& storage)
 std::vector<GeneratedFunction> painting_functions(const scene::OneSurface& one,
                                                   const FieldStorage& storage);
 
-// Defines surface_color(Hit). Call it after those functions and shade/shading.glsl.
+// Defines painted_color(Hit). Call it after those functions and shade/shading.glsl.
 void add_painting(ShaderText& text, const scene::OneSurface& one);
 
 } // namespace isomotion::shader

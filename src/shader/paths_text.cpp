@@ -63,7 +63,7 @@ void add_meeting(ShaderText& text, const scene::OneSurface& one, const Passes& p
     add_picture(text, one);
     if (shines_on_paths(one)) add_color(text, one);
     add_ends(text, one);
-    add_gradient(text, one, passes);
+    add_gradient(text, passes);
     if (!one.scene.sections.empty()) text.file("section/distance.glsl");
     text.file("effects/end_of_ray.glsl");
     add_path(text, one);
@@ -114,7 +114,6 @@ Pass beyond_pass(const scene::OneSurface& one, const Passes& passes) {
     add_field(text, *one.surface.field, passes, {FieldFunction::value});
     add_ray(text, one);
     add_ends(text, one);
-    text.define(Feature::surface, one.index);
     text.file("paths/in_matter.glsl");
     text.file("paths/beyond.frag");
     return std::move(text).pass(Role::glass_beyond, "glass beyond", When::until_rays_end,
@@ -159,7 +158,7 @@ Pass seen_by_paths_pass(const scene::OneSurface& one, const Passes& passes) {
     text.file("effects/load_mirrored.glsl");
     add_path(text, one);
     add_seen_shading(text, one);
-    if (painting(one)) add_gradient(text, one, passes);
+    if (painting(one)) add_gradient(text, passes);
     text.file("paths/packed_shadows.glsl");
     text.generated("generated: what shadow rays took",
                    fmt::format("float shadows_here() {{\n    return {};\n}}\n",

@@ -34,20 +34,12 @@ std::vector<FieldFunction> samples_of_block() { return {FieldFunction::direction
 
 // A ray and how it ended.
 void add_ended_ray(ShaderText& text, const scene::OneSurface& one) {
-    const bool box = one.surface.bounds.shape == scene::Bounds::Shape::box;
     text.file("frame.glsl");
     text.file("march/verdict.glsl");
-    text.file(box ? "march/clip_box.glsl" : "march/clip_sphere.glsl");
-    if (one.is_alone()) {
-        text.file("march/ray.glsl");
-        text.file("proof/ending.glsl");
-        return;
-    }
-    text.generated("rays through the bounds, renamed", "#define pixel_ray whole_ray\n");
+    define_bounds(text, one);
+    text.define(one.is_alone() ? Feature::eye_rays : Feature::ended_rays);
     text.file("march/ray.glsl");
-    text.generated("rays up to what is seen of other surfaces", "#undef pixel_ray\n");
     text.file("proof/ending.glsl");
-    text.file("proof/ray_to_end.glsl");
 }
 
 // Beams by models tell proofs more than rays begin and end by.
@@ -167,7 +159,6 @@ Pass block_proof(const scene::OneSurface& one, const Passes& passes, Role role) 
         text.file("proof/ends_of_block.glsl");
         if (!is_coarse) {
             add_inside_bounds(text, one);
-            text.file("models/box_within_bounds.glsl");
             text.file("proof/roots_of_block.glsl");
             if (settles_blocks(passes)) {
                 text.file("march/beam_roots.glsl");
@@ -251,8 +242,7 @@ Pass ending_of_surface(const scene::OneSurface& one) {
     ShaderText text;
     text.file("math/bits.glsl");
     add_ray(text, one);
-    text.define(Feature::surface, one.index);
-    text.file("surfaces/eye_way.glsl");
+    text.file("surfaces/way.glsl");
     text.file("proof/ending_of_surface.frag");
     return std::move(text).pass(Role::ending, "ending", When::once_a_tile);
 }

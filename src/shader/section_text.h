@@ -18,19 +18,11 @@ int samples_at_sections(const scene::Scene& scene);
 void add_sections(ShaderText& text, const scene::Scene& scene);
 // Adds the parts of a ray, and the cap on which one ended. Call it after the ray and its state.
 void add_parts(ShaderText& text, const scene::Scene& scene);
-// Adds the ranges of sections over boxes, for beams.
-void add_sections_over_boxes(ShaderText& text, const scene::Scene& scene);
 // Adds the transition of rays from one part to the next. Call it after the functions that sample F.
 void add_crossings(ShaderText& text, const scene::OneSurface& one);
-// Enclose the text of a method's step, whose first sample tells whether a part begins with a cap.
-void begin_turn_of_part(ShaderText& text);
-void end_turn_of_part(ShaderText& text);
-// Adds the file of a march, which handles one part of a ray, as a march through all parts.
-// `samples_tell`: its own samples detect caps; otherwise the ends of parts are sampled in addition.
-void add_march_through_parts(ShaderText& text, const scene::OneSurface& one,
-                             const std::string& file, bool samples_tell);
-// Adds the file with the gradient of F, changed to the gradient of the remaining solid.
-void add_gradient_of_rest(ShaderText& text, const scene::Scene& scene, const std::string& file);
+// Adds the march of a ray through all parts that sections leave of it. `samples_tell`: its own
+// samples detect caps; otherwise the ends of parts are sampled in addition.
+void add_march_of_parts(ShaderText& text, const scene::OneSurface& one, bool samples_tell);
 
 // Whether caps have a colour of their own.
 bool has_cap_color(const scene::OneSurface& one);

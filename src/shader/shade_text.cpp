@@ -22,55 +22,38 @@ bool contains(const std::vector<Channel>& channels, Channel channel) {
     return std::find(channels.begin(), channels.end(), channel) != channels.end();
 }
 
-struct ChannelShader {
+struct ChannelOutput {
     Channel channel;
-    const char* file;
-    const char* function;
     Feature location;
     const char* output;
 };
 
-constexpr ChannelShader channel_shaders[] = {
-    {Channel::depth, "channels/depth.glsl", "write_depth", Feature::depth_location, "depth_out"},
-    {Channel::normal, "channels/normal.glsl", "write_normal", Feature::normal_location,
-     "normal_out"},
-    {Channel::position, "channels/position.glsl", "write_position", Feature::position_location,
-     "position_out"},
-    {Channel::cap, "channels/cap.glsl", "write_cap", Feature::cap_location, "cap_out"},
-    {Channel::surface, "channels/surface.glsl", "write_surface", Feature::surface_location,
-     "surface_out"},
-    {Channel::ending, "channels/ending.glsl", "write_ending", Feature::ending_location,
-     "ending_out"},
+constexpr ChannelOutput channel_outputs[] = {
+    {Channel::depth, Feature::depth_location, "depth_out"},
+    {Channel::normal, Feature::normal_location, "normal_out"},
+    {Channel::position, Feature::position_location, "position_out"},
+    {Channel::cap, Feature::cap_location, "cap_out"},
+    {Channel::surface, Feature::surface_location, "surface_out"},
+    {Channel::ending, Feature::ending_location, "ending_out"},
 };
 
 // write_channels(), to the attachments from the third on. Surfaces that draw over each other have
 // keep_channels() beside it.
 void add_channels(ShaderText& text, const scene::OneSurface& one,
                   const std::vector<Channel>& written, Draws draws = Draws::several) {
-    const bool over_others = !one.is_alone() && draws == Draws::one;
-    std::string calls, samplers, kept;
+    std::string samplers, kept;
     int location = 2;
-    for (const ChannelShader& shader : channel_shaders) {
-        if (!contains(written, shader.channel)) continue;
-        text.define(shader.location, location);
-        const bool lacks_caps = shader.channel == Channel::cap && one.scene.sections.empty();
-        if (shader.channel == Channel::surface) text.define(Feature::surface_number, one.index + 1);
-        if (shader.channel == Channel::ending && !one.is_alone()) {
-            if (over_others) text.file("surfaces/eye_way.glsl");
-            text.file(over_others ? "surfaces/own_ending.glsl" : "surfaces/ending.glsl");
-        } else {
-            text.file(lacks_caps ? "channels/no_cap.glsl" : shader.file);
-        }
-        calls += fmt::format("    {}(ray, hit, verdict);\n", shader.function);
+    for (const ChannelOutput& to : channel_outputs) {
+        if (!contains(written, to.channel)) continue;
+        text.define(to.location, location);
         samplers += fmt::format("uniform sampler2D before_texture_{};\n", location);
-        kept += fmt::format("    {} = texelFetch(before_texture_{}, at, 0){};\n", shader.output,
-                            location, shader.channel == Channel::ending ? ".x" : "");
+        kept += fmt::format("    {} = texelFetch(before_texture_{}, at, 0){};\n", to.output,
+                            location, to.channel == Channel::ending ? ".x" : "");
         ++location;
     }
-    text.generated("generated: the channels asked for",
-                   "void write_channels(Ray ray, Hit hit, int verdict) {\n" + calls + "}\n");
-    if (over_others && one.index != 0)
-        text.generated("generated: the same of the surfaces before",
+    text.file("shade/channels.glsl");
+    if (draws == Draws::one && one.index != 0)
+        text.generated("generated: the channels of the surfaces before",
                        samplers + "void keep_channels(ivec2 at) {\n" + kept + "}\n");
 }
 
@@ -86,14 +69,6 @@ Cover cover(const scene::OneSurface& one, Draws draws, bool in_squares = false) 
     return {in_squares ? Cover::Area::squares : Cover::Area::whole, has_flat_shading(one, draws)};
 }
 
-void add_matter_color(ShaderText& text, const scene::OneSurface& one) {
-    if (painting(one)) {
-        add_painting(text, one);
-    } else {
-        text.file(one.surface.material.inside ? "shade/two_sided.glsl" : "shade/one_sided.glsl");
-    }
-}
-
 // Whether rays or samples begin where others ended.
 bool sees_from_surfaces(const scene::OneSurface& one) {
     return shadow_mask(one.scene) != 0 || has_mirrored_rays(one) || follows_paths(one.scene) ||
@@ -102,42 +77,34 @@ bool sees_from_surfaces(const scene::OneSurface& one) {
 
 } // namespace
 
-void add_gradient(ShaderText& text, const scene::OneSurface& one, const Passes& passes) {
-    add_gradient_of_rest(text, one.scene,
-                         passes.march_takes_gradient ? "shade/gradient_from_state.glsl"
-                                                     : "shade/gradient_from_field.glsl");
+void add_gradient(ShaderText& text, const Passes& passes) {
+    if (passes.march_takes_gradient) text.define(Feature::march_takes_gradient);
+    text.file("shade/gradient.glsl");
 }
 
 void add_color(ShaderText& text, const scene::OneSurface& one) {
-    std::vector<std::string> over;
-    if (has_cap_color(one)) over.emplace_back("section/color.glsl");
-    if (one.surface.material.contours) over.emplace_back("effects/contours.glsl");
-    for (std::size_t k = 0; k <= over.size(); ++k) {
-        const bool is_last = k == over.size();
-        std::string names = k == 0 ? "" : fmt::format("#define color_below color_{}\n", k - 1);
-        if (!is_last) names += fmt::format("#define surface_color color_{}\n", k);
-        if (!names.empty()) text.generated("one colour over another", names);
-        if (k == 0) {
-            add_matter_color(text, one);
-        } else {
-            text.file(over[k - 1]);
-        }
-        if (!is_last)
-            text.generated("by the names of the next",
-                           "#undef surface_color\n#undef color_below\n");
+    const scene::Material& material = one.surface.material;
+    if (has_cap_color(one)) text.define(Feature::cap_color);
+    // A number's colour is that of both sides.
+    if (material.inside && !material.paint) text.define(Feature::two_sides);
+    if (painting(one)) add_painting(text, one);
+    if (material.contours) {
+        text.define(Feature::contours);
+        text.file("effects/contours.glsl");
     }
+    text.file("shade/color.glsl");
 }
 
 void add_picture(ShaderText& text, const scene::OneSurface& one, Draws draws) {
-    text.file(has_flat_shading(one, draws) ? "shade/shading_flat.glsl" : "shade/shading.glsl");
+    if (has_flat_shading(one, draws)) text.define(Feature::flat_shading);
+    text.file("shade/shading.glsl");
     text.file("shade/hit.glsl");
-    text.file("shade/record.glsl");
 }
 
 std::vector<Channel> written_channels(const std::vector<Channel>& channels) {
     std::vector<Channel> written;
-    for (const ChannelShader& shader : channel_shaders) {
-        if (contains(channels, shader.channel)) written.push_back(shader.channel);
+    for (const ChannelOutput& to : channel_outputs) {
+        if (contains(channels, to.channel)) written.push_back(to.channel);
     }
     return written;
 }
@@ -156,15 +123,16 @@ void add_shade_of_ray(ShaderText& text, const scene::OneSurface& one, const Pass
     add_picture(text, one, Draws::one);
     add_color(text, one);
     text.file("shade/lambert.glsl");
-    add_gradient(text, one, passes);
+    add_gradient(text, passes);
     add_channels(text, one, passes.attachments, Draws::one);
-    text.file("shade/shade.glsl");
 }
 
 // Begins with the field, of which marching takes these functions, and the ray.
 ShaderText begin_fused(const scene::OneSurface& one, const Passes& passes,
                        std::vector<FieldFunction> functions) {
     ShaderText text;
+    text.define(Feature::draws_at_once);
+    if (!one.is_alone()) text.define(Feature::way_location, way_attachment(passes));
     define_state(text, passes);
     text.define(Feature::lights, int(one.scene.lights.size()));
     if (!passes.march_takes_gradient) functions.push_back(FieldFunction::gradient);
@@ -180,21 +148,18 @@ Pass fused_pass(const scene::OneSurface& one, const Passes& passes) {
     ShaderText text = begin_fused(one, passes, passes.samples);
     add_march(text, one, passes, Origin::eye, Draws::one);
     add_shade_of_ray(text, one, passes);
-    if (!one.is_alone()) {
-        add_keep_nearest(text, one, passes);
-        text.file("surfaces/fused.frag");
-    } else {
-        text.file("shade/fused.frag");
-    }
+    if (!one.is_alone()) text.file("surfaces/nearest.glsl");
+    text.file("shade/shade.frag");
     return std::move(text).pass(Role::fused, "fused", When::once_a_tile,
                                 cover(one, Draws::one, passes.draws_squares));
 }
 
 Pass settled_pass(const scene::OneSurface& one, const Passes& passes) {
     ShaderText text = begin_fused(one, passes, {FieldFunction::directional});
+    text.define(Feature::settled_rays);
     add_settled_march(text, passes);
     add_shade_of_ray(text, one, passes);
-    text.file("shade/settled.frag");
+    text.file("shade/shade.frag");
     return std::move(text).pass(Role::settled, "settled", When::once_a_tile,
                                 cover(one, Draws::one, passes.draws_squares));
 }
@@ -206,11 +171,11 @@ Pass mask_pass(const scene::OneSurface& one, const Passes& passes) {
         define_blocks(text, passes.beams.back());
         text.file("march/mask_of_blocks.frag");
     } else {
+        text.define(Feature::draws_at_once);
         text.file("math/bits.glsl");
         add_ray(text, one);
-        begin_entrance(text, one, Origin::eye);
+        add_ways(text, one, Origin::eye);
         add_way(text, passes, by_beams);
-        end_entrance(text, one, Origin::eye, Draws::one);
         text.file("march/mask.frag");
     }
     return std::move(text).pass(Role::mask, "mask", When::once_a_tile);
@@ -232,9 +197,8 @@ Pass surface_pass(const scene::OneSurface& one, const Passes& passes, Origin ori
         text.define(Feature::lists);
         add_entrance(text, passes, true);
     }
-    if (origin == Origin::eye) text.file("effects/eye_begin.glsl");
     if (origin != Origin::mirror) text.file("effects/surface_point.glsl"); // it has that already
-    add_gradient(text, one, passes);
+    add_gradient(text, passes);
     if (!one.scene.sections.empty()) text.file("section/distance.glsl");
     text.file("effects/end_of_ray.glsl");
     text.file("effects/store_surface.glsl");
@@ -254,7 +218,10 @@ Pass surface_pass(const scene::OneSurface& one, const Passes& passes, Origin ori
                                by_lists ? "    Ray in_beam = ray;\n    enter_beam(in_beam);\n"
                                           "    choose_list(s.low);\n"
                                         : "",
-                               meets_ground ? "    p = before_ground(ray, p);\n" : "",
+                               !meets_ground ? ""
+                               : origin == Origin::eye
+                                   ? "    p = before_ground(ray, p, eye_begin(ray));\n"
+                                   : "    p = before_ground(ray, p, 0.0);\n",
                                ends_at_bounds ? "    p = or_at_bounds(ray, p);\n" : "",
                                !one.is_alone() ? "store_nearest(ray, p, s.evaluations)"
                                                : "store_surface(p, s.evaluations)",
@@ -284,7 +251,6 @@ ShaderText begin_seen(const scene::OneSurface& one, const Passes& passes) {
     add_ray(text, one);
     add_picture(text, one);
     add_color(text, one);
-    text.file("effects/eye_begin.glsl");
     text.file("effects/surface_point.glsl");
     return text;
 }
@@ -294,8 +260,7 @@ Pass seen_pass(const scene::OneSurface& one, const Passes& passes) {
     add_load_surface(text, one);
     text.file("effects/load_mirrored.glsl");
     add_seen_shading(text, one);
-    if (painting(one)) add_gradient(text, one, passes);
-    text.define(Feature::surface, one.index);
+    if (painting(one)) add_gradient(text, passes);
     text.file("surfaces/seen.frag");
     return std::move(text).pass(Role::seen, "seen", When::once_a_tile);
 }
@@ -303,6 +268,8 @@ Pass seen_pass(const scene::OneSurface& one, const Passes& passes) {
 Pass shade_pass(const scene::OneSurface& one, const Passes& passes, When when) {
     ShaderText text;
     text.define(Feature::lights, int(one.scene.lights.size()));
+    if (follows_paths(one.scene)) text.define(Feature::follows_paths);
+    if (has_glass(one)) text.define(Feature::glass);
     const bool from_surface = keeps_surfaces(one);
     const formula::Field& field = *one.surface.field;
     const bool paint = painting(one) != nullptr;
@@ -329,33 +296,25 @@ Pass shade_pass(const scene::OneSurface& one, const Passes& passes, When when) {
     add_picture(text, one);
     add_color(text, one);
     if (from_surface) {
-        text.file("effects/eye_begin.glsl");
         text.file("effects/surface_point.glsl");
         text.file("effects/load_surface.glsl");
     }
     if (calls_for_ends(one)) {
         add_shading(text, one);
     } else {
-        text.file("shade/lambert.glsl");
         if (!one.is_alone()) {
             text.file("effects/hit_of.glsl");
             text.file(sky_file(one.scene));
-            text.file("surfaces/plain.glsl");
         }
+        text.file("shade/lambert.glsl");
     }
-    if (needs_gradient) add_gradient(text, one, passes);
+    if (needs_gradient) add_gradient(text, passes);
     if (!one.is_alone()) {
-        text.define(Feature::surface, one.index);
         text.generated("generated: which surface is seen",
                        "uniform sampler2D surface_texture_3;\n");
     }
     add_channels(text, one, passes.attachments);
-    if (!from_surface) text.file("shade/shade.glsl");
-    text.file(follows_paths(one.scene) ? "paths/shade.frag"
-              : !one.is_alone()        ? "surfaces/shade.frag"
-              : has_glass(one)         ? "glass/shade.frag"
-              : from_surface           ? "effects/shade.frag"
-                                       : "shade/shade.frag");
+    text.file(from_surface ? "effects/shade.frag" : "shade/shade.frag");
     return std::move(text).pass(Role::shade, "shade", when, cover(one, Draws::several));
 }
 

@@ -13,7 +13,7 @@ void add_picture(ShaderText& text, const scene::OneSurface& one, Draws draws = D
 // made from what is below it.
 void add_color(ShaderText& text, const scene::OneSurface& one);
 // surface_gradient().
-void add_gradient(ShaderText& text, const scene::OneSurface& one, const Passes& passes);
+void add_gradient(ShaderText& text, const Passes& passes);
 
 // The channels that the shade pass writes, in the order of its attachments, whatever the order of
 // the request.

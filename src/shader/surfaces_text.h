@@ -17,21 +17,15 @@ bool has_mirrored_rays(const scene::OneSurface& one);
 void add_load_surface(ShaderText& text, const scene::OneSurface& one);
 // Adds pixel_ray() of mirrored rays. Needs load_surface().
 void add_mirror_ray(ShaderText& text, const scene::OneSurface& one);
-// Enclose enter_beam() for rays that march only as far as the surfaces before.
-void begin_entrance(ShaderText& text, const scene::OneSurface& one, Origin origin);
-void end_entrance(ShaderText& text, const scene::OneSurface& one, Origin origin, Draws draws);
-// keep_nearest() of what is drawn in one draw. Needs
-// keep_channels().
-void add_keep_nearest(ShaderText& text, const scene::OneSurface& one, const Passes& passes);
+// Adds the ways along the ray that surfaces share, for rays that march only as far as the surfaces
+// before. Call it before enter_beam() is added.
+void add_ways(ShaderText& text, const scene::OneSurface& one, Origin origin);
 // The attachment of pictures drawn so that has the way to what is seen, after those of channels.
 inline int way_attachment(const Passes& passes) { return 2 + int(passes.attachments.size()); }
 // All surfaces are drawn in one draw each, or none.
 void agree_on_draws(std::vector<Passes*> all);
 // store_nearest().
 void add_store_nearest(ShaderText& text, const scene::OneSurface& one, Origin origin);
-// Adds the beginning of shadow rays if surfaces before this one may have hidden lights.
-void begin_shadow_after_others(ShaderText& text, const scene::OneSurface& one, int mask);
-
 // Where mirrored rays of several surfaces begin.
 Pass mirror_mask_pass(const scene::Scene& scene);
 Pass occlusion_pass(const scene::OneSurface& one, const Passes& passes);

@@ -62,7 +62,7 @@ const std::vector<Named> every_effect{
     {"[output]\nbackground = { top = [1, 0, 0], bottom = [0, 0, 1] }\n",
      "effects/sky_gradient.glsl", "sky_bottom"},
     {"[material.colormap]\nvalue = \"nz\"\nrange = [-1, 1]\n", "effects/paint.glsl", "paint_range"},
-    {"[material]\ncolor = [\"nz\", 1, 0]\n", "effects/color_by_place.glsl", "color_value"},
+    {"[material]\ncolor = [\"nz\", 1, 0]\n", "effects/paint.glsl", "color_value"},
     {"[material]\nreflection = \"self\"\n", "effects/mirror_ray.glsl", "load_mirrored"},
     {"[material.contours]\nvalue = \"z\"\nevery = 1\n", "effects/contours.glsl", "on_contours"},
     {"[material]\ntransmission = 0.1\n", "glass/through.glsl", "refraction_at"},

@@ -160,7 +160,7 @@ double heat_end(const Frame& frame) {
 }
 
 Rgb heat(double u) {
-    // The line through OKLab that shaders/effects/blue_yellow.glsl draws, and the way from there to
+    // The line through OKLab that shaders/effects/color_map.glsl draws, and the way from there to
     // linear sRGB (Ottosson 2020).
     const auto along = [&](double from, double to) {
         return from + std::clamp(u, 0.0, 1.0) * (to - from);

@@ -7,6 +7,7 @@
 #include <glm/glm.hpp>
 
 #include "scenes.h"
+#include "shader/active_lines.h"
 #include "shader/shader_files.h"
 #include "unit/gpu/every_backend.h"
 
@@ -105,11 +106,17 @@ class ColorMaps : public gpu::EveryBackend {
 protected:
     static void SetUpTestSuite() { use_shaders_of_source_tree(); }
 
+    static Features blue_yellow() {
+        Features features;
+        features.add(Feature::blue_yellow);
+        return features;
+    }
+
     // color_map(k / steps) for k = 0 ... steps.
-    static Colors colors_of(const std::string& map) {
+    static Colors colors_of(Features features) {
+        const std::string file = "effects/color_map.glsl";
         const gpu::Program program = gpu::fullscreen_program(
-            read_shader("effects/oklab.glsl") + read_shader("effects/" + map + ".glsl") +
-                "out vec4 color;\n",
+            active_lines(file, read_shader(file), features) + "out vec4 color;\n",
             fmt::format("color = vec4(color_map((gl_FragCoord.x - 0.5) / {}.0), 1.0);", steps));
         const gpu::Target target(steps + 1, 1);
         target.bind();
@@ -125,10 +132,10 @@ protected:
 };
 ISOMOTION_ON_EVERY_BACKEND(ColorMaps);
 
-TEST_P(ColorMaps, BlueYellowGrowsLighterEvenly) { expect_even(colors_of("blue_yellow"), 65); }
+TEST_P(ColorMaps, BlueYellowGrowsLighterEvenly) { expect_even(colors_of(blue_yellow()), 65); }
 
 TEST_P(ColorMaps, BlueOrangeDoesSoFromBothEnds) {
-    const Colors colors = colors_of("blue_orange");
+    const Colors colors = colors_of({});
     const Colors blue(colors.begin(), colors.begin() + steps / 2 + 1);
     const Colors orange(colors.rbegin(), colors.rbegin() + steps / 2 + 1);
     expect_even(blue, 45);
@@ -139,7 +146,7 @@ TEST_P(ColorMaps, BlueOrangeDoesSoFromBothEnds) {
 
 // The sign of a number is the colour, its size the lightness: whoever sees the picture.
 TEST_P(ColorMaps, BlueAndOrangeStayApartAsFarAsTheirNumbers) {
-    const Colors colors = colors_of("blue_orange");
+    const Colors colors = colors_of({});
     for (const Eye& eye : eyes) {
         const Colors there = seen(eye, colors);
         for (int k = 1; k <= steps / 2; ++k) {

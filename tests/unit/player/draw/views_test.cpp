@@ -152,7 +152,7 @@ TEST(HeatMap, GrowsLighterFromBlueToYellow) {
 
 // The shader's own numbers: a map that is changed there has to be changed here.
 TEST(HeatMap, HasTheEndsOfTheScenesMap) {
-    std::ifstream file(ISOMOTION_SOURCE_DIR "/shaders/effects/blue_yellow.glsl");
+    std::ifstream file(ISOMOTION_SOURCE_DIR "/shaders/effects/color_map.glsl");
     const std::string text{std::istreambuf_iterator<char>(file), {}};
     EXPECT_NE(text.find("mix(vec3(0.32, -0.012, -0.13), vec3(0.93, -0.055, 0.15), u)"),
               std::string::npos);

@@ -3,6 +3,26 @@
 // Depths are tau: the ray that crosses the plane of the anchors at `across` (from ray_origin) is at
 // ray_origin + tau ray_axis + (1 + w tau) across, with w = 1, or 0 for parallel rays.
 
+#ifdef BOX
+vec3 bounds_low() { return bounds_min.xyz - beam.w; }
+vec3 bounds_high() { return bounds_max.xyz + beam.w; }
+
+bool meets_bounds(vec2 x, vec2 y, vec2 z) {
+    vec3 a = bounds_low(), b = bounds_high();
+    return x.x <= b.x && x.y >= a.x && y.x <= b.y && y.y >= a.y && z.x <= b.z && z.y >= a.z;
+}
+#else
+vec3 bounds_low() { return bounds_min.xyz - (bounds_min.w + beam.w); }
+vec3 bounds_high() { return bounds_min.xyz + (bounds_min.w + beam.w); }
+
+bool meets_bounds(vec2 x, vec2 y, vec2 z) {
+    vec3 c = bounds_min.xyz;
+    vec3 off = max(max(vec3(x.x, y.x, z.x) - c, c - vec3(x.y, y.y, z.y)), 0.0);
+    float reach = (bounds_min.w + beam.w) * (1.0 + 1.0e-6);
+    return dot(off, off) <= reach * reach;
+}
+#endif
+
 vec2 hull(float a, float b) {
     return vec2(min(a, b), max(a, b));
 }
@@ -65,3 +85,34 @@ bool box_of(Beam way, float a, float b, out vec2 x, out vec2 y, out vec2 z) {
     }
     return meets;
 }
+
+// The part of a block's beam that is searched.
+#ifdef PARENT_BLOCK
+// What larger beams, PARENT_BLOCK pixels across, left of it.
+Part parent_part(ivec2 block) {
+    ivec2 at = beam_texel(block * BLOCK / PARENT_BLOCK, PARENT_SQUARE_BITS);
+    vec4 part = part_of_beam(at);
+#ifdef LISTS
+#ifdef COPIES
+    ivec2 larger = block * BLOCK / PARENT_BLOCK;
+    LIST front = front_of_parent(larger), all = all_of_parent(larger);
+#else
+    LIST front = front_of_beam(at), all = all_of_beam(at);
+#endif
+    return Part(part.x, part.y, 2.0 * beam.z, part.z, front, all);
+#else
+    return Part(part.x, part.y, 2.0 * beam.z);
+#endif
+}
+#else
+// All of the bounds.
+Part parent_part(ivec2 block) {
+    float first = 0.125 * (beam.y - beam.x);
+#ifdef LISTS
+    LIST all = entered_list();
+    return Part(beam.x, beam.y, first, beam.y, all, all);
+#else
+    return Part(beam.x, beam.y, first);
+#endif
+}
+#endif
