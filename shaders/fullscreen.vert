@@ -10,7 +10,7 @@ flat out vec4 ray_origin, ray_axis, ray_right, ray_up, bounds_min, bounds_max, p
     limits, cubics;
 
 #ifdef FLAT_SHADING
-layout(std140) uniform Shading { // shade/shading_flat.glsl
+layout(std140) uniform Shading { // shade/shading.glsl
     vec4 flat_part[4];
     mat4 to_world;
     vec4 depth;

@@ -15,6 +15,6 @@ void main() {
 #endif
     float way = in_glass ? end - ray.t_near : 0.0;
     path.weight = absorbed(way);
-    if (hit) path = unless_faint(through(path, p, way, transmission()), rays_left);
+    if (hit) path = unless_faint(through(path, p, glass.y, absorbed(way), transmission()), rays_left);
     store_path(path);
 }

@@ -15,7 +15,7 @@ void main() {
     bool in_glass = hit ? p.inside : path.state == PATH_IN_GLASS;
     if (in_glass) path.weight *= absorbed(end);
     if (hit && !on_ground) {
-        path = unless_faint(through(path, p, end, 1.0), rays_left);
+        path = unless_faint(through(path, p, glass.y, absorbed(end), 1.0), rays_left);
     } else if (on_ground || p.verdict == VERDICT_MISS) {
         path = see_behind(path);
     } else { // no pixel lies silently

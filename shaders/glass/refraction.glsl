@@ -1,5 +1,4 @@
-// Refraction, after Born and Wolf, Principles of Optics, 1.5. `glass.y`: the index of refraction within
-// the surface, relative to that outside. Needs surface_point.glsl.
+// Refraction, after Born and Wolf, Principles of Optics, 1.5. Needs surface_point.glsl.
 
 // The split of light from `direction` at the surface.
 struct Refraction {
@@ -7,8 +6,9 @@ struct Refraction {
     vec3 direction;  // of the refracted rest
 };
 
-Refraction refraction_at(SurfacePoint p, vec3 direction) {
-    float eta = p.inside ? glass.y : 1.0 / glass.y;
+// `index`: of refraction within the surface, relative to that outside.
+Refraction refraction_at(SurfacePoint p, vec3 direction, float index) {
+    float eta = p.inside ? index : 1.0 / index;
     float c = clamp(-dot(p.normal, direction), 0.0, 1.0);
     float square = (1.0 - eta * eta) + (eta * c) * (eta * c);
     if (square <= 0.0) return Refraction(1.0, vec3(0.0));

@@ -40,7 +40,7 @@ bool holds_roots(Model f) {
 Piece slab_in(Piece piece, Model f) {
     float per_slope = 1.0 / f.l.z;
     vec2 lean = -per_slope * f.l.xy;
-    // Beside what F may be off, some room for roots that are known nearly: proof/first_roots.glsl.
+    // Beside what F may be off, some room for roots that are known nearly: proof/roots_of_block.glsl.
     float thick = 1.1 * abs(per_slope) * beside_linear(f) * piece.half_length + 0.03 * beam.z;
     return Piece(piece.middle - per_slope * f.c * piece.half_length, thick,
                  lean * piece.half_length, vec2(0.0));

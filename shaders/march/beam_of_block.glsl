@@ -95,7 +95,7 @@ Part parent_part(ivec2 block) {
 #ifdef LISTS
 #ifdef COPIES
     ivec2 larger = block * BLOCK / PARENT_BLOCK;
-    LIST front = front_of_parent(larger), all = all_of_parent(larger);
+    LIST front = list_of_larger(larger, 0), all = list_of_larger(larger, 1);
 #else
     LIST front = front_of_beam(at), all = all_of_beam(at);
 #endif

@@ -18,3 +18,27 @@ LIST stored_list(int level, ivec2 block, int which, int lists, int slots) {
 LIST list_of_first(ivec2 block, int which) {
     return stored_list(0, block, which, 2, FIRST_SLOTS);
 }
+
+#ifdef LARGER_BLOCK
+// The list for a larger beam, the next one in size. A list that is too long is replaced by the one that
+// it was made from.
+LIST list_of_larger(ivec2 block, int which) {
+#ifdef MIDDLE_BLOCK
+    LIST list = stored_list(1, block, which, 2, MIDDLE_SLOTS);
+    return list.x < 0.0 ? list_of_first(block * MIDDLE_BLOCK / FIRST_BLOCK, 1) : list;
+#else
+    return list_of_first(block, which);
+#endif
+}
+#endif
+
+#ifdef LAST_LEVEL
+BeamLists lists_of_beam(ivec2 block, float front_end, float middle_end) {
+    ivec2 larger = block * BLOCK / LARGER_BLOCK;
+    LIST middle = list_of_larger(larger, 0), all = list_of_larger(larger, 1);
+    LIST front = stored_list(LAST_LEVEL, block, 0, 1, LAST_SLOTS);
+    // A list that is too long is replaced by the one that it was made from.
+    if (front.x < 0.0) front = front_end <= middle_end ? middle : all;
+    return BeamLists(front, middle, all, front_end, middle_end);
+}
+#endif

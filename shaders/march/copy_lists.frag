@@ -6,6 +6,24 @@ layout(location = 0) out vec4 copied;
 
 uniform usampler2DArray beam_masks_texture;
 
+#if LEVEL > 0
+// The lists of later levels are made from one of the larger beam's lists. The smallest beams have no
+// more than a front; their lists are made from the one that reaches to its end. See
+// beam_by_intervals.glsl.
+uniform sampler2D beam_texture;
+
+void enter_parent(ivec2 block, vec2 at) {
+    vec4 part = textureLod(beam_texture, at, 0.0);
+    int which = LISTS_OF_A_BLOCK == 1 && part.z <= part.w ? 0 : 1;
+    enter_list(list_of_larger(block * BLOCK / LARGER_BLOCK, which));
+}
+#else
+// Lists of the first level are made from all elements, and are the first in the texture.
+const ivec3 list_rows = ivec3(0);
+
+void enter_parent(ivec2 block, vec2 at) {}
+#endif
+
 // How many bits of each word are set; ES 3.00 has no bitCount().
 uvec4 bits_in(uvec4 words) {
     words -= (words >> 1) & 0x55555555u;

@@ -16,6 +16,14 @@
 #define WHERE(condition)
 #endif
 
+// Returns the zero of F as a part of h, in (0, 1), if t is a cubic of F; f0 and f1 differ in sign.
+float inverse_cubic(vec2 f0, vec2 f1, float h) {
+    float rise = f1.x - f0.x;
+    float u = -f0.x / rise, v = 1.0 - u;
+    float x = u * u * (3.0 - 2.0 * u) + u * v * (rise / h) * (v / f0.y - u / f1.y);
+    return x > 0.0 && x < 1.0 ? x : clamp(u, 0.01, 0.99);
+}
+
 // Advances a ray by its sample at t: F and dF/dt are f. The ray `starts` there, or `refines` a root,
 // or neither: constants, where each has its own way, leave out what the others take.
 RayState advance_by_cubic(RayState s, Ray ray, float t, vec2 f, float longest, bool starts,
@@ -147,4 +155,31 @@ RayState advance_by_cubic(RayState s, Ray ray, float t, vec2 f, float longest, b
     bool stands = !(s.high > s.low) || s.evaluations >= int(limits.y);
     if (stands) return finish(s, VERDICT_STEP_LIMIT);
     return s;
+}
+
+// Samples of a ray that marches by cubics. Rays of a group mostly begin, step or close in
+// together: with BRANCHES each of the three goes its own way, without what the others take.
+
+float next_sample(RayState s) {
+    return s.high;
+}
+
+RayState advance(RayState s, Ray ray, float t, vec2 f) {
+    float longest = clamp(0.25 * (ray.t_far - ray.t_near), cubics.w, cubics.y);
+    s.evaluations += 1;
+    if (s.phase == PHASE_GRADIENT) return take_derivative(s, f);
+#ifdef SETTLES
+    if (s.phase == PHASE_NEWTON) return step_by_newton(s, ray, t, f);
+#endif
+#ifdef ROUGH
+    if (judge_by_intervals(s, ray, t, f, longest)) return s;
+#endif
+#ifdef BRANCHES
+    if (s.phase == PHASE_START) return advance_by_cubic(s, ray, t, f, longest, true, false);
+    if (s.phase == PHASE_REFINE) return advance_by_cubic(s, ray, t, f, longest, false, true);
+    return advance_by_cubic(s, ray, t, f, longest, false, false);
+#else
+    bool starts = s.phase == PHASE_START, refines = s.phase == PHASE_REFINE;
+    return advance_by_cubic(s, ray, t, f, longest, starts, refines);
+#endif
 }

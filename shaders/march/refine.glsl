@@ -1,3 +1,21 @@
+// Pieces over which a ray is bounded: their lengths, roots in them, and places where F breaks.
+
+// The lengths of the pieces over which a ray is bounded.
+
+// The shortest piece at t: a part of a pixel, and at least 4 floats.
+float finest_at(float t) {
+    return max(limits.z, 4.76837158e-7 * abs(t));
+}
+
+// Shortens the piece to this length.
+RayState cut(RayState s, float length) {
+    s.high = s.low + length;
+    bool gives_up = s.evaluations >= int(limits.y) || !(s.high > s.low);
+    if (gives_up) return finish(s, VERDICT_STEP_LIMIT);
+    return s;
+}
+
+#ifndef ROUGH
 // Common part of the methods that bound F over pieces. In the ray's state, [low, high] is the
 // piece, f_low.x a value of F with the sign before the piece, and f_low.y the next sample of a ray
 // that refines its root.
@@ -54,3 +72,35 @@ RayState refine(RayState s, float t, float f, float slope) {
     if (close || narrow) return found(s, s.f_low.y);
     return s;
 }
+#endif
+
+#ifdef BREAKS
+// Finds where F may jump, have a pole or lack a value. No root is there, whatever its sign does.
+// Methods that bound F pass the shortest piece around such a point, and restart behind it.
+
+// (jumps, without value): the first interval is the entire line if F may not be continuous; the
+// second is above 0 if F has no value anywhere in the piece, or no zero beside its poles.
+vec4 breaks_over(Ray ray, vec2 piece) {
+    vec2 x, y, z;
+    box_over(ray, piece, x, y, z);
+    return field_breaks(x, y, z);
+}
+
+bool may_break(Ray ray, vec2 piece) {
+    return !(breaks_over(ray, piece).x > -IM_LARGEST);
+}
+
+bool has_no_value(Ray ray, vec2 piece) {
+    return breaks_over(ray, piece).z > 0.0;
+}
+#else
+// For F that is continuous and has a value everywhere, by its operations.
+
+bool may_break(Ray ray, vec2 piece) {
+    return false;
+}
+
+bool has_no_value(Ray ray, vec2 piece) {
+    return false;
+}
+#endif

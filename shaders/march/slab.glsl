@@ -1,5 +1,11 @@
 // The slab of a settled block, which holds the first root of each ray, and no other root. Needs
-// beam_roots.glsl and beam_place.glsl.
+// beam_place.glsl.
+
+#ifndef TRIMMED
+// What beams by models tell of roots: of a settled block the slab, of any other one in .x the tau
+// before which there are none. See beam_by_models.glsl.
+uniform sampler2D beam_roots_texture;
+#endif
 
 // In tau: its middle, how far it leans to the outer pixels, half its thickness; 0 if the block is not settled.
 vec4 slab_of(ivec2 block, int bits) {

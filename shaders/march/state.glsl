@@ -6,7 +6,7 @@ const int PHASE_START = 0;   // sample t_near next
 const int PHASE_MARCH = 1;   // sample `high` next: is a root in [low, high]?
 const int PHASE_REFINE = 2;  // there is one: refine it
 const int PHASE_GRADIENT = 3; // sample the gradient at the root, which is in `low` and `high`
-const int PHASE_NEWTON = 4; // sample `high` next: the ray is settled, newton.glsl
+const int PHASE_NEWTON = 4; // sample `high` next: the ray is settled, settled.glsl
 const int PHASE_DONE = 5;
 const int PHASE_SOLVE = 6; // between two samples: solve() continues; never stored
 

@@ -1,6 +1,6 @@
 // Decides the shortest pieces, and pieces where F has no value.
 
-// Passes a piece in which F has no root whatever its sign does (breaks.glsl).
+// Passes a piece in which F has no root whatever its sign does (refine.glsl).
 RayState pass_break(RayState s, Ray ray) {
     s.refinements = 0;
     float h = s.high - s.low;

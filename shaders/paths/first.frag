@@ -2,7 +2,7 @@
 // followed anew from there.
 uniform int rays_left;
 uniform sampler2D surface_texture_4; // see begin.glsl
-uniform vec4 surface_way;            // see surfaces/eye_way.glsl
+uniform vec4 surface_way;            // see surfaces/way.glsl
 
 void main() {
     ivec2 at = ivec2(pixel_centre);

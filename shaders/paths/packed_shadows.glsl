@@ -2,7 +2,7 @@
 // Only the paper's methods may take MOST_OF_SHADOWS for 8 lights and 8 surfaces; more are not counted.
 const float MOST_OF_SHADOWS = 131072.0;
 
-// `ended`: texel of their states, see effects/hidden_lights.glsl.
+// `ended`: texel of their states, see effects/shadow.glsl.
 float packed_shadows(vec4 ended) {
     return min(ended.z, MOST_OF_SHADOWS - 1.0) + MOST_OF_SHADOWS * ended.w;
 }

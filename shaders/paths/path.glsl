@@ -32,7 +32,7 @@ uniform sampler2D glass_texture_1;
 uniform sampler2D glass_texture_2;
 uniform sampler2D glass_texture_3;
 uniform sampler2D glass_texture_4;
-uniform vec4 path_moves[3 * SURFACES]; // as surface_moves of surfaces/load_moved.glsl
+uniform vec4 path_moves[3 * SURFACES]; // as surface_moves of effects/load_surface.glsl
 
 int owner_of_path() {
     return (int(IM_TEXEL(glass_texture_0, ivec2(pixel_centre)).w) >> 4) & 7;

@@ -37,3 +37,13 @@ vec4 chains(vec4 place) {
     }
     return a + b + c + d + e + f + g + h;
 }
+
+#ifdef COMPUTE
+layout(rgba32f, binding = 0) writeonly uniform image2D stored;
+
+void main() { imageStore(stored, ivec2(gl_GlobalInvocationID.xy), chains(pixel_centre.xyxy)); }
+#else
+out vec4 color;
+
+void main() { color = chains(pixel_centre.xyxy); }
+#endif

@@ -8,7 +8,7 @@
 
 // The tau from which on F may be 0: .x + (.y u + .z v), with u and v from -1 to 1 across the block.
 // .w is the least slope of F in tau if F is monotone from there to behind the last root, by the
-// margin that begin.frag assumes; otherwise 0; or an outcome: block_outcome.glsl.
+// margin that begin.frag assumes; otherwise 0; or an outcome: rounding.glsl.
 layout(location = 0) out vec4 block_proof;
 
 uniform int block_pieces; // limit on the pieces

@@ -1,4 +1,4 @@
-// Loads how the rays of pixels ended, from the picture's channel: channels/ending.glsl.
+// Loads how the rays of pixels ended, from the picture's channel: shade/channels.glsl.
 uniform sampler2D ending_texture;
 
 struct Ending {

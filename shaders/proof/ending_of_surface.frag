@@ -1,9 +1,9 @@
 // Where a pixel's ray ended, for the proofs of one surface among several: on it, or on another one, up to
 // which it has to miss this one. See render/picture_proofs.h.
-layout(location = 0) out vec4 ending; // as channels/ending.glsl; t up to which there is something to prove
+layout(location = 0) out vec4 ending; // as shade/channels.glsl; t up to which there is something to prove
 
-uniform sampler2D way_to_end;      // of all surfaces: channels/ending.glsl on the first one's ray
-uniform sampler2D surface_of_end;  // channels/surface.glsl
+uniform sampler2D way_to_end;      // of all surfaces: shade/channels.glsl on the first one's ray
+uniform sampler2D surface_of_end;  // shade/channels.glsl
 uniform float beyond;              // to prove behind another surface, where its root may be
 
 void main() {

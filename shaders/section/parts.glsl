@@ -7,7 +7,7 @@ struct Part {
     int begin_cut, end_cut;
 };
 
-// The interval of the ray inside a ball, by clip_sphere.glsl's method; (1, 0) if it is empty.
+// The interval of the ray inside a ball, by march/ray.glsl's method; (1, 0) if it is empty.
 vec2 in_ball(Ray ray, vec4 ball) {
     vec3 from = ray.anchor - ball.xyz;
     float middle = -dot(from, ray.direction);

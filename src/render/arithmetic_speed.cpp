@@ -61,7 +61,6 @@ gpu::Program speed_program(shader::Stage stage, const SpeedChains& chains) {
     text.define(shader::Feature::unrolled, chains.unrolled);
     text.define(shader::Feature::fused, chains.fused);
     text.file("probe/speed.glsl");
-    text.file_of_stage("probe/speed_fragment.glsl", "probe/speed_compute.glsl");
     const std::string name = "speed of arithmetic";
     if (computes) return gpu::Program::compute(text.text(), name);
     return {"#version 330 core\n" + shader::read_shader("probe/corners.vert"), text.text(), name};

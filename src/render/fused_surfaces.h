@@ -1,5 +1,5 @@
 // March and picture of a tile in one draw for each surface, of scenes with several plain ones: each
-// draws over those before it where it is nearer. See shaders/surfaces/fused.frag.
+// draws over those before it where it is nearer. See shaders/shade/shade.frag.
 #pragma once
 
 #include <vector>

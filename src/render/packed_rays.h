@@ -16,7 +16,7 @@ namespace isomotion::render {
 // Single rays of a tile.
 struct OpenRays {
     std::vector<glm::ivec2> pixels;
-    std::vector<float> proofs; // four numbers each: shaders/proof/outcome.glsl
+    std::vector<float> proofs; // four numbers each: shaders/proof/ray.glsl
 };
 
 // How many squares are drawn a row and a column, so that few of the last row are in vain.

@@ -11,7 +11,7 @@
 namespace isomotion::render {
 
 // The last of the four numbers of a block's proof, where it is not a slope:
-// shaders/proof/block_outcome.glsl.
+// shaders/proof/rounding.glsl.
 inline constexpr float block_misses = -1, block_hits = -2;
 
 struct ProvedBlocks {

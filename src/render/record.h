@@ -1,4 +1,4 @@
-// The counts for a tile's rays, as shaders/shade/record.glsl packs them: verdict and evaluations of
+// The counts for a tile's rays, as shaders/shade/hit.glsl packs them: verdict and evaluations of
 // the primary ray in one word per pixel; if surfaces are kept, those of further rays in three more.
 #pragma once
 

@@ -2,7 +2,6 @@
 // its row here and its files of shaders/march/.
 #pragma once
 
-#include <array>
 #include <optional>
 #include <string_view>
 
@@ -35,13 +34,6 @@ struct MethodTraits {
     Steps steps;
     Samples samples;
     int state_textures; // textures that hold a ray's state between passes
-    // Files of shaders/march/, without extension, up to the first empty name: those that find a
-    // root between two samples, and those that make up one step of the march.
-    std::array<std::string_view, 2> test;
-    std::array<std::string_view, 4> turn;
-    // The file that tells whether a shadow ray meets any root, and whether it uses the same steps.
-    std::string_view any_hit;
-    bool any_hit_turns;
 };
 
 inline constexpr MethodTraits method_traits[] = {
@@ -50,71 +42,43 @@ inline constexpr MethodTraits method_traits[] = {
      "uniform steps; a root where the sign changes",
      Steps::scene_step,
      Samples::value,
-     2,
-     {"uniform_step", "sign_test"},
-     {"amp", "turn_point"},
-     "any_hit_amp",
-     false},
+     2},
     {Method::amp_sign,
      "amp-sign",
      "steps adapted to |F| and |dF/dt| (the paper's Eq. 2); a root where the sign changes",
      Steps::scene_step,
      Samples::directional,
-     2,
-     {"adaptive_step", "sign_test"},
-     {"amp", "turn_point"},
-     "any_hit_amp",
-     false},
+     2},
     {Method::amp_taylor,
      "amp-taylor",
      "the same steps; a root where values or linear extensions enclose 0 (Eq. 3)",
      Steps::scene_step,
      Samples::directional,
-     2,
-     {"adaptive_step", "taylor_test"},
-     {"amp", "turn_point"},
-     "any_hit_amp",
-     false},
+     2},
     {Method::hermite,
      "hermite",
      "cubics with an error estimate: steps as long as it allows",
      Steps::cubics,
      Samples::directional,
-     3,
-     {},
-     {"inverse_cubic", "cubic", "hermite", "turn_point"},
-     "any_hit_turn",
-     true},
+     3},
     {Method::interval,
      "interval",
      "proofs: pieces halved until bounds on F and dF/dt decide",
      Steps::bounds,
      Samples::value_and_bounds,
-     2,
-     {},
-     {"interval", "turn_piece"},
-     "any_hit_turn",
-     true},
+     2},
     {Method::affine,
      "affine",
      "proofs: the same with F in a piece's middle and bounds on dF/dt",
      Steps::bounds,
      Samples::value_and_bounds,
-     2,
-     {},
-     {"affine", "turn_piece"},
-     "any_hit_turn",
-     true},
+     2},
     {Method::sphere,
      "sphere",
      "proofs: steps of |F| over the steepest dF/dt ahead",
      Steps::bounds,
      Samples::value_and_bounds,
-     2,
-     {},
-     {"sphere", "turn_piece"},
-     "any_hit_turn",
-     true},
+     2},
 };
 
 constexpr const MethodTraits& traits(Method method) {

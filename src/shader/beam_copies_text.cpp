@@ -38,26 +38,19 @@ std::string repeated(std::string_view value, int times) {
     return fmt::format("{}", fmt::join(all, ", "));
 }
 
-// Where lists lie.
-void add_places(ShaderText& text, const Passes& passes) {
-    text.define(Feature::texels, passes.arrays[0].texels);
-    text.define(Feature::first_slots, slots(passes, 0));
-    text.file("march/copies.glsl");
-}
-
-// Adds the places of the larger beams that this level's beams lie in.
+// Adds the places of the lists of larger beams, which this level's beams lie in.
 void add_larger(ShaderText& text, const Passes& passes, int level) {
     assert(level == 1 || level == 2);
-    add_places(text, passes);
     text.define(Feature::copies);
+    text.define(Feature::texels, passes.arrays[0].texels);
+    text.define(Feature::first_slots, slots(passes, 0));
     text.define(Feature::larger_block, passes.beams[std::size_t(level - 1)].block);
     if (level == 2) {
         text.define(Feature::first_block, passes.beams[0].block);
         text.define(Feature::middle_block, passes.beams[1].block);
         text.define(Feature::middle_slots, slots(passes, 1));
-        text.file("march/copies_of_middle.glsl");
     }
-    text.define(Feature::list_of_larger, level == 2 ? "list_of_middle" : "list_of_first");
+    text.file("march/copies.glsl");
 }
 
 } // namespace
@@ -95,21 +88,18 @@ void add_masks(ShaderText& text, const FieldStorage& storage) {
     text.define(Feature::mask_texels, texels);
     // ES 3.00 has initial values of constants alone.
     text.define(Feature::texels_of_none, repeated("uvec4(0u)", texels));
-    text.file("elements/mask.glsl");
-    text.file("march/write_masks.glsl");
+    text.file("march/write_lists.glsl");
 }
 
 void add_copies_of_parent(ShaderText& text, const Passes& passes, int level) {
     add_larger(text, passes, level);
-    text.file("march/copies_of_parent.glsl");
 }
 
 void add_copies_of_ray(ShaderText& text, const Passes& passes) {
     const int last = int(passes.beams.size()) - 1;
-    add_larger(text, passes, last);
     text.define(Feature::last_level, last);
     text.define(Feature::last_slots, slots(passes, last));
-    text.file("march/copies_of_ray.glsl");
+    add_larger(text, passes, last);
 }
 
 Pass beam_copies_pass(const scene::OneSurface& one, const Passes& passes, int level) {
@@ -121,14 +111,10 @@ Pass beam_copies_pass(const scene::OneSurface& one, const Passes& passes, int le
     text.define(Feature::slots, slots(passes, level));
     text.define(Feature::mask_texels, texels_of_a_mask(passes));
     add_field(text, *one.surface.field, storage_at_level(passes, level), {});
-    if (level > 0) {
+    if (level > 0)
         add_larger(text, passes, level);
-        text.file("march/copy_of_copies.glsl");
-    } else {
+    else
         text.define(Feature::texels, passes.arrays[0].texels);
-        text.generated("they are the first in the texture", "const ivec3 list_rows = ivec3(0);\n");
-        text.file("march/copy_of_all.glsl");
-    }
     text.file("march/copy_lists.frag");
     Pass pass = std::move(text).pass(
         Role::beam_copies, fmt::format("lists of {} pixels", beam.block), When::once_a_tile);

@@ -49,11 +49,8 @@ void add_boxes(ShaderText& text, const scene::OneSurface& one, const Passes& pas
     text.generated("generated: least and most tau, the shortest piece; rounding, a length",
                    "uniform vec4 beam;\n");
     define_bounds(text, one);
-    if (parent && has_copies(passes)) {
+    if (parent && has_copies(passes))
         add_copies_of_parent(text, passes, int(parent - passes.beams.data()) + 1);
-    } else if (parent && has_lists(passes)) {
-        text.file("march/read_lists.glsl");
-    }
     if (parent) define_parent(text, *parent);
     if (parent) text.file("march/part_of_beam.glsl");
     text.file("march/beam_of_block.glsl");
@@ -116,7 +113,7 @@ Pass beam_pass_by_intervals(const scene::OneSurface& one, const Passes& passes, 
     text.define(Feature::both_ends, int(beam.lists == BeamLists::whole));
     if (has_lists(passes)) {
         text.define(Feature::lists);
-        text.file("elements/left_out.glsl");
+        text.define(Feature::left_out, parts_left_out);
         add_bounds_of_sum(text, field, storage_at_level(passes, level));
     } else {
         add_field(text, field, passes, {FieldFunction::value_interval});
@@ -139,13 +136,13 @@ Pass beam_pass_by_intervals(const scene::OneSurface& one, const Passes& passes, 
         else
             add_masks(text, passes);
     }
-    text.file_of_stage("frame.glsl", "stage/frame.glsl");
+    text.file("frame.glsl");
     add_boxes(text, one, passes, parent);
     text.define(Feature::beam_boxes);
     add_sections(text, one.scene);
     if (makes_lists) text.file("march/beam_list.glsl");
     text.file("march/beam_by_intervals.glsl");
-    text.file_of_stage("stage/beam.frag", "stage/beam.comp");
+    text.file("stage/beam.glsl");
     Pass pass = std::move(text).pass(Role::beams, name_of(beam), When::once_a_tile);
     pass.level = level;
     return pass;
@@ -159,13 +156,13 @@ Pass beam_pass_by_models(const scene::OneSurface& one, const Passes& passes, int
     if (one.surface.isolation.certify) text.define(Feature::both_ends);
     add_enclosures(text, *one.surface.field, passes, {});
     add_piece_models(text, *one.surface.field, "models/block.glsl");
-    text.file_of_stage("frame.glsl", "stage/frame.glsl");
+    text.file("frame.glsl");
     add_boxes(text, one, passes, level > 0 ? &beam - 1 : nullptr);
     text.file("models/piece_of_block.glsl");
     text.define(Feature::bounds_rounding, "beam.w");
     add_inside_bounds(text, one);
     text.file("march/beam_by_models.glsl");
-    text.file_of_stage("stage/beam.frag", "stage/beam.comp");
+    text.file("stage/beam.glsl");
     Pass pass = std::move(text).pass(Role::beams, name_of(beam), When::once_a_tile);
     pass.level = level;
     return pass;
@@ -232,7 +229,6 @@ void add_light_beams(ShaderText& text, const Passes& passes) {
 void add_entrance(ShaderText& text, const Passes& passes, bool by_beams) {
     if (by_beams) define_blocks(text, passes.beams.back());
     if (by_beams && has_lists(passes)) {
-        if (!has_copies(passes)) text.file("march/read_lists.glsl");
         text.file("march/choose_list.glsl");
         if (has_copies(passes)) add_copies_of_ray(text, passes);
     }

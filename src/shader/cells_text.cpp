@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "formula/glsl/glsl.h"
+#include "shader/shader_code.h"
 #include "shader/shader_text.h"
 
 namespace isomotion::shader {
@@ -95,23 +96,22 @@ std::string entering_cells(std::string glsl) {
 std::string over_all_elements(const FieldStorage& storage, const std::string& glsl) {
     const auto a = std::size_t(*array_with_grid(storage));
     const ArrayStorage& array = storage.arrays[a];
-    // The count by another name in GLSL ES, where globals begin with constants.
+    // A copy, but in GLSL ES, where globals begin with constants.
     return fmt::format(
-        "#ifdef GL_ES\n#define all_count array_counts[{2}].{3}\n#else\n"
-        "int all_count = array_counts[{2}].{3};\n#endif\n"
-        "vec4 all_texel(int element, int texel) {{ return IM_BUFFER_AT({0}, element * "
-        "{1} + texel); }}\n"
-        "#define {0}_count all_count\n#define {0}_texel all_texel\n"
-        "#undef {0}_least\n#define {0}_least {5}\n{4}"
-        "#undef {0}_count\n#undef {0}_texel\n#undef {0}_least\n"
-        "#define {0}_least GRID_LEAST\n",
-        array.name, array.texels, a / 4, "xyzw"[a % 4], glsl, formula::glsl_least_of_none());
+               "#ifdef GL_ES\n#define all_count array_counts[{2}].{3}\n#else\n"
+               "int all_count = array_counts[{2}].{3};\n#endif\n"
+               "vec4 all_texel(int element, int texel) {{ return IM_BUFFER_AT({0}, element * "
+               "{1} + texel); }}\n",
+               array.name, array.texels, a / 4, "xyzw"[a % 4]) +
+           replaced(glsl, {{array.name + "_count", "all_count"},
+                           {array.name + "_texel", "all_texel"},
+                           {array.name + "_least", formula::glsl_least_of_none()}});
 }
 
 std::string in_cells(FieldFunction function, const std::string& glsl) {
     const OverBox* over = over_box(function);
     if (!over) return entering_cells(glsl);
-    return fmt::format("#define {0} {0}_in_cell\n{1}#undef {0}\n", over->name, glsl);
+    return replaced(glsl, {{over->name, fmt::format("{}_in_cell", over->name)}});
 }
 
 void add_hulls_over_cells(ShaderText& text, const std::vector<FieldFunction>& functions) {
@@ -121,12 +121,6 @@ void add_hulls_over_cells(ShaderText& text, const std::vector<FieldFunction>& fu
         if (const OverBox* over = over_box(function)) hulls += hull_over_cells(*over);
     }
     text.generated("generated: over all cells of a box", hulls);
-}
-
-void add_way_past_free_cells(ShaderText& text) {
-    text.define(Feature::passes_free);
-    text.file("elements/free_cells.glsl");
-    text.file("march/pass_free.glsl");
 }
 
 } // namespace isomotion::shader

@@ -23,7 +23,4 @@ std::string in_cells(FieldFunction function, const std::string& glsl);
 // Adds the functions that combine the box's parts in all cells.
 void add_hulls_over_cells(ShaderText& text, const std::vector<FieldFunction>& functions);
 
-// Lets rays skip cells without roots.
-void add_way_past_free_cells(ShaderText& text);
-
 } // namespace isomotion::shader

@@ -150,7 +150,7 @@ void add_effects(ShaderText& text, const scene::OneSurface& one, bool in_mirror)
     text.file(sky_file(one.scene));
 }
 
-// further_record(): what further rays took, as shaders/shade/record.glsl packs it.
+// further_record(): what further rays took, as shaders/shade/hit.glsl packs it.
 std::string further_record(const scene::OneSurface& one) {
     const auto texel = [](const char* texture) {
         return fmt::format("texelFetch({}, ivec2(pixel_centre), 0)", texture);
@@ -235,8 +235,8 @@ int far_lights(const scene::Scene& scene) {
 
 void add_lights(ShaderText& text, const scene::Scene& scene) {
     const bool near = far_lights(scene) != (1 << scene.lights.size()) - 1;
-    text.file("effects/light.glsl");
-    text.file(near ? "effects/near_lights.glsl" : "effects/far_lights.glsl");
+    if (near) text.define(Feature::near_lights);
+    text.file("effects/lights.glsl");
 }
 
 void add_shading(ShaderText& text, const scene::OneSurface& one) {

@@ -27,12 +27,19 @@ enum class Feature {
     march_takes_gradient, // the march samples the gradient at the root
     caps_by_samples,      // samples of the march tell where caps are
     bounds_pieces,        // the method bounds F over pieces of rays
+    counts_rays,          // the pass counts rays,
+    masks_blocks,         // or masks the blocks of beams
     three_samples,        // the state of a ray has three samples
     beams,                // rays begin and end by beams
     lists,                // elements are found by lists
     grid,                 // or by place
     copies,               // lists are copies in a texture
     branches,             // the processor skips what no ray of a group needs
+    scene_steps,          // the method steps by a length of the scene,
+    adaptive_steps,       // adapted to F,
+    taylor_test,          // and tests by linear extensions
+    samples_slope,        // the method samples dF/dt, too
+    breaks,               // F may jump or lack a value
     rough,                // intervals judge where F isn't smooth
     walls,                // where F jumps is a wall
     bounded_touches,      // bounds judge where cubics take F for 0
@@ -45,6 +52,7 @@ enum class Feature {
     // What is seen.
     box,            // the bounds are a box: otherwise a sphere
     lights,         // how many
+    near_lights,    // some lights are at places
     shadows,        // a bit for each light that casts shadows
     light_beams,    // a bit for each light with beams of its own
     sections,       // how many
@@ -64,6 +72,8 @@ enum class Feature {
     contours,       // lines over the colour
     cap_color,      // caps of sections have a colour of their own
     glass,          // the surface is of glass
+    mirrors_all,    // the surface mirrors the others
+    ground,         // there is a plane below
     most_crossings, // of bounds by a path
     // Attachments.
     depth_location,
@@ -89,7 +99,8 @@ enum class Feature {
     pieces,           // of a beam in which elements are bounded
     front_pieces,
     most_terms,
-    texels, // of an element
+    left_out, // of a sum, relative to its value at roots, by lists of a level: march/beam_list.glsl
+    texels,   // of an element
     // Copies of elements: march/copies.glsl.
     level,
     slots,
@@ -102,7 +113,6 @@ enum class Feature {
     larger_block,
     mask_texels,
     texels_of_none,
-    list_of_larger,
     // Elements by place, and tapes.
     most_cells,
     most_elements,
@@ -112,13 +122,17 @@ enum class Feature {
     run_tape_of_rays,
     calls, // the tape is one of groups, which it calls
     // Proofs.
-    rays,            // of a block
-    coarse,          // the block is a coarse one
-    coarse_block,    // pixels across those
-    proved_block,    // pixels across blocks
-    whole_blocks,    // rays are drawn by blocks
-    list_across,     // texels in a row of the list of open rays
-    bounds_rounding, // by which the bounds may be off
+    hessian,           // there are second derivatives
+    value_by_model,    // F at a point is bounded by a model,
+    value_by_gradient, // or by its gradient
+    doubles,           // the proof is in doubles
+    rays,              // of a block
+    coarse,            // the block is a coarse one
+    coarse_block,      // pixels across those
+    proved_block,      // pixels across blocks
+    whole_blocks,      // rays are drawn by blocks
+    list_across,       // texels in a row of the list of open rays
+    bounds_rounding,   // by which the bounds may be off
     // Probes of a driver.
     literals,
     chains,

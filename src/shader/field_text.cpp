@@ -357,11 +357,10 @@ void add_enclosures(ShaderText& text, const formula::Field& field, const FieldSt
     define_grid_limits(text, field, storage, functions);
     if (by_place) {
         add_cells(text, storage);
-        text.file("elements/rest.glsl");
         text.generated("generated: what lists leave out", declared_rest(storage));
     }
     if (sum) {
-        text.file("elements/left_out.glsl");
+        text.define(Feature::left_out, parts_left_out);
         text.generated("generated: F = factor * sum + rest",
                        formula::glsl_rest_and_factor_interval(*sum, field.packing, numbers));
         text.file("elements/lists.glsl");

@@ -7,6 +7,7 @@
 #include <set>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "formula/field.h"
@@ -82,6 +83,10 @@ std::optional<int> array_with_grid(const FieldStorage& storage);
 // its lists leave out of each sum, four to a vector.
 int grid_vectors(const FieldStorage& storage);
 inline constexpr int grid_vectors_of_place = 3;
+
+// The part of a sum, relative to its value at roots, that the lists of one level of beams may leave
+// out: see shaders/march/beam_list.glsl.
+inline constexpr std::string_view parts_left_out = "6.25e-7";
 
 // How the elements of a field's arrays are found.
 struct Finding {

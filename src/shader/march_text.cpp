@@ -1,7 +1,6 @@
 #include "shader/march_text.h"
 
 #include <algorithm>
-#include <array>
 
 #include <fmt/format.h>
 
@@ -18,12 +17,6 @@
 
 namespace isomotion::shader {
 namespace {
-
-void add_files(ShaderText& text, std::span<const std::string_view> names) {
-    for (const std::string_view name : names) {
-        if (!name.empty()) text.file(fmt::format("march/{}.glsl", name));
-    }
-}
 
 // Whether cubics have to look out for places where F isn't smooth.
 bool meets_rough_places(const scene::OneSurface& one) {
@@ -53,11 +46,10 @@ bool passes_free_cells(const scene::OneSurface& one, const Passes& passes) {
            scene::traits(one.surface.isolation.method).steps == scene::Steps::cubics;
 }
 
-void add_way_past(ShaderText& text, const Passes& passes) {
-    if (passes.tapes)
-        add_way_past_free_tapes(text);
-    else
-        add_way_past_free_cells(text);
+// Lets rays skip cells without roots.
+void add_way_past(ShaderText& text) {
+    text.define(Feature::passes_free);
+    text.file("march/free_cells.glsl");
 }
 
 // What finds a root between two samples, or in a piece.
@@ -67,13 +59,18 @@ void add_isolation(ShaderText& text, const scene::OneSurface& one, const Passes&
     const bool bounds = method.samples == scene::Samples::value_and_bounds;
     const bool is_rough = meets_rough_places(one);
     if (bounds) text.define(Feature::bounds_pieces);
-    if (bounds || is_rough || judges_touches(one)) text.file("march/piece_box.glsl");
-    if (bounds || is_rough) text.file("march/piece_bounds.glsl");
+    if (is_rough) text.define(Feature::rough);
+    if (bounds || is_rough || judges_touches(one)) text.file("march/pieces.glsl");
     if (!bounds) {
-        if (passes.tapes && is_rough) add_signs_in_free_tapes(text, *passes.tapes);
-        text.file(directional ? "march/sample_directional.glsl" : "march/sample_value.glsl");
+        if (directional) text.define(Feature::samples_slope);
+        if (passes.tapes && is_rough) define_signs_in_free_tapes(text, *passes.tapes);
+        text.file("march/sample.glsl");
     }
-    add_files(text, method.test);
+    if (method.steps != scene::Steps::scene_step) return;
+    text.define(Feature::scene_steps);
+    if (method.method != scene::Method::marching) text.define(Feature::adaptive_steps);
+    if (method.method == scene::Method::amp_taylor) text.define(Feature::taylor_test);
+    text.file("march/amp_steps.glsl");
 }
 
 // turn(), which takes a ray on by what one sample of the field tells.
@@ -81,14 +78,12 @@ void add_turn(ShaderText& text, const scene::OneSurface& one, const Passes& pass
     const scene::MethodTraits& method = scene::traits(one.surface.isolation.method);
     const bool is_rough = meets_rough_places(one);
     if (method.samples == scene::Samples::value_and_bounds || is_rough) {
-        text.file("march/finest.glsl");
-        if (!is_rough) text.file("march/refine.glsl");
         const bool breaks = passes.samples.back() == FieldFunction::breaks;
+        if (breaks) text.define(Feature::breaks);
+        text.file("march/refine.glsl");
         if (breaks && one.surface.jumps_are_walls) text.define(Feature::walls);
-        text.file(breaks ? "march/breaks.glsl" : "march/no_breaks.glsl");
         text.file(is_rough ? "march/rough.glsl" : "march/touches.glsl");
     }
-    if (is_rough) text.define(Feature::rough);
     if (passes.branches && method.steps == scene::Steps::cubics) text.define(Feature::branches);
     if (judges_touches(one)) {
         text.define(Feature::most_tries, tries_of_a_touch(passes));
@@ -96,7 +91,18 @@ void add_turn(ShaderText& text, const scene::OneSurface& one, const Passes& pass
         text.define(Feature::bounded_touches);
         text.define(Feature::solves);
     }
-    add_files(text, method.turn);
+    switch (method.steps) {
+    case scene::Steps::scene_step:
+        text.file("march/amp.glsl");
+        break;
+    case scene::Steps::cubics:
+        text.file("march/cubic.glsl");
+        break;
+    case scene::Steps::bounds:
+        text.file(fmt::format("march/{}.glsl", method.name));
+        break;
+    }
+    text.file("march/turn.glsl");
 }
 
 } // namespace
@@ -121,7 +127,7 @@ std::vector<FieldFunction> samples_of(const scene::OneSurface& one, bool march_t
 void add_ray(ShaderText& text, const scene::OneSurface& one, Origin origin) {
     if (!one.is_alone()) text.define(Feature::surface, int(one.index));
     add_sections(text, one.scene);
-    text.file_of_stage("frame.glsl", "stage/frame.glsl");
+    text.file("frame.glsl");
     text.file("march/verdict.glsl");
     define_bounds(text, one);
     switch (origin) {
@@ -169,6 +175,15 @@ bool samples_tell_caps(const scene::OneSurface& one, const Passes& passes) {
     return method.steps == scene::Steps::cubics && !meets_rough_places(one);
 }
 
+namespace {
+
+void add_ends_at_roots(ShaderText& text, const Passes& passes) {
+    if (passes.march_takes_gradient) text.define(Feature::march_takes_gradient);
+    text.file("march/at_root.glsl");
+}
+
+} // namespace
+
 void add_march(ShaderText& text, const scene::OneSurface& one, const Passes& passes, Origin origin,
                Draws draws) {
     const bool beam = !passes.beams.empty() && origin == Origin::eye;
@@ -176,25 +191,28 @@ void add_march(ShaderText& text, const scene::OneSurface& one, const Passes& pas
     add_ways(text, one, origin);
     add_entrance(text, passes, beam);
     add_isolation(text, one, passes);
-    text.file(passes.march_takes_gradient ? "march/gradient_at_root.glsl"
-                                          : "march/end_at_root.glsl");
+    add_ends_at_roots(text, passes);
     if (beam && settles_blocks(passes) && draws == Draws::several) {
         text.define(Feature::settles);
-        add_files(text,
-                  std::array<std::string_view, 4>{"beam_roots", "slab", "begin_in_slab", "newton"});
+        text.file("march/slab.glsl");
+        text.file("march/settled.glsl");
     }
     add_turn(text, one, passes);
     if (array_with_grid(passes)) text.define(Feature::grid);
-    if (passes_free_cells(one, passes)) add_way_past(text, passes);
+    if (passes_free_cells(one, passes)) add_way_past(text);
     add_march_of_parts(text, one, samples_tell_caps(one, passes));
 }
 
 void add_settled_march(ShaderText& text, const Passes& passes) {
     define_blocks(text, passes.beams.back());
-    add_files(text, std::array<std::string_view, 9>{
-                        "beam_roots", "slab", "begin_in_slab", "sample_directional",
-                        passes.march_takes_gradient ? "gradient_at_root" : "end_at_root", "newton",
-                        "settled", "turn_point", "march"});
+    text.define(Feature::settled_rays);
+    text.define(Feature::samples_slope);
+    text.file("march/slab.glsl");
+    text.file("march/sample.glsl");
+    add_ends_at_roots(text, passes);
+    text.file("march/settled.glsl");
+    text.file("march/turn.glsl");
+    text.file("march/march.glsl");
 }
 
 Pass march_pass(const scene::OneSurface& one, const Passes& passes, Origin origin, When when) {
@@ -203,9 +221,9 @@ Pass march_pass(const scene::OneSurface& one, const Passes& passes, Origin origi
     add_field(text, *one.surface.field, through_copies(passes), passes.samples);
     add_ray(text, one, origin);
     add_march(text, one, passes, origin);
-    text.file_of_stage("march/store_state.glsl", "stage/store_state.glsl");
+    text.file("march/store_state.glsl");
     text.file("march/march_pixel.glsl");
-    text.file_of_stage("stage/march.frag", "stage/march.comp");
+    text.file("stage/march.glsl");
     switch (origin) {
     case Origin::mirror:
         return std::move(text).pass(Role::mirror, "mirror", when);
@@ -220,7 +238,8 @@ Pass march_pass(const scene::OneSurface& one, const Passes& passes, Origin origi
 Pass active_pass(When when) {
     ShaderText text;
     text.file("march/state.glsl");
-    text.file("march/active.frag");
+    text.define(Feature::counts_rays);
+    text.file("march/mask.frag");
     return std::move(text).pass(Role::active, "active", when);
 }
 
@@ -237,23 +256,23 @@ Pass shadow_pass(const scene::OneSurface& one, const Passes& passes) {
     add_field(text, *one.surface.field, passes, passes.samples);
     add_ray(text, one);
     add_isolation(text, one, passes);
-    text.file_of_stage("march/store_state.glsl", "stage/store_state.glsl");
+    text.file("march/store_state.glsl");
     text.file("shade/shading.glsl");
     text.file("shade/hit.glsl");
     add_lights(text, one.scene);
     text.file("effects/surface_point.glsl");
     add_load_surface(text, one);
     if (passes.light_beams != 0) add_light_beams(text, passes);
-    if (method.any_hit_turns) {
-        text.file("march/end_at_root.glsl");
+    if (method.steps != scene::Steps::scene_step) {
+        text.file("march/at_root.glsl");
         add_turn(text, one, passes);
     }
     if (array_with_grid(passes)) text.define(Feature::grid);
-    if (passes_free_cells(one, passes)) add_way_past(text, passes);
-    text.file(fmt::format("march/{}.glsl", method.any_hit));
+    if (passes_free_cells(one, passes)) add_way_past(text);
+    text.file("march/any_hit.glsl");
     add_crossings(text, one);
     text.file("effects/shadow.glsl");
-    text.file_of_stage("stage/march.frag", "stage/march.comp");
+    text.file("stage/march.glsl");
     return std::move(text).pass(Role::shadow, "shadow", When::until_rays_end);
 }
 

@@ -16,7 +16,6 @@ void add_models(ShaderText& text, const formula::Field& field, const std::string
 void add_piece_models(ShaderText& text, const formula::Field& field, const std::string& file,
                       formula::Numbers numbers) {
     add_models(text, field, "Model", file, numbers);
-    text.file("models/first_reach.glsl");
 }
 
 void add_inside_bounds(ShaderText& text, const scene::OneSurface& one) {

@@ -41,13 +41,9 @@ void add_ends(ShaderText& text, const scene::OneSurface& one) {
 }
 
 void add_glass_met(ShaderText& text, const scene::OneSurface& one) {
-    text.file("paths/meet_glass.glsl");
-    text.generated("the index of refraction is that of the boundary", "#define glass boundary\n");
     text.file("glass/refraction.glsl");
-    text.generated("and again that of the surface", "#undef glass\n");
     text.file("glass/through.glsl");
     text.generated("generated: how much goes in", transmission(one) + beside_reflection(one));
-    text.file("paths/through_glass.glsl");
 }
 
 // beside_mirror(): the weight of the surface's own colour. The matt part of other materials is what
@@ -74,17 +70,11 @@ void add_meeting(ShaderText& text, const scene::OneSurface& one, const Passes& p
     if (has_glass(one)) {
         add_glass_met(text, one);
     } else if (mirrors_all(one)) {
+        text.define(Feature::mirrors_all);
         text.generated("generated: beside the mirror", beside_mirror(one));
-        text.file("paths/meet_mirror.glsl");
-    } else {
-        text.file("paths/meet_opaque.glsl");
     }
-    if (one.scene.ground) {
-        text.file("paths/on_ground.glsl");
-    } else {
-        text.generated("generated: no path ends on the ground",
-                       "Path with_ground(Path path) {\n    return path;\n}\n");
-    }
+    if (one.scene.ground) text.define(Feature::ground);
+    text.file("paths/meet.glsl");
     text.file("paths/store_path.glsl");
 }
 

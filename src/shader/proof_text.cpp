@@ -26,7 +26,8 @@ bool goes_by_models(const formula::Field& field, const FieldStorage& storage, Pr
 // Adds models of F around points.
 void add_value_models(ShaderText& text, const formula::Field& field, formula::Numbers numbers) {
     add_models(text, field, "PointModel", "models/point.glsl", numbers);
-    text.file("proof/value_by_model.glsl");
+    text.define(Feature::value_by_model);
+    text.file("proof/value.glsl");
 }
 
 // What a proof by bounds asks of the field.
@@ -46,12 +47,10 @@ void add_ended_ray(ShaderText& text, const scene::OneSurface& one) {
 void add_trimmed_ends(ShaderText& text, const Passes& passes) {
     if (!settles_blocks(passes)) return;
     text.define(Feature::trimmed);
-    text.file("march/beam_roots.glsl");
 }
 
 void add_by_place(ShaderText& text, const Passes& passes) {
     if (array_with_grid(passes)) text.define(Feature::grid);
-    text.file("proof/by_place.glsl");
 }
 
 // Second derivatives are taken in doubles, where rounding no longer hides their gain, and where
@@ -79,18 +78,15 @@ void add_proof(ShaderText& text, const scene::OneSurface& one, const Passes& pas
     add_trimmed_ends(text, passes);
     add_entrance(text, passes, !passes.beams.empty());
     text.file("proof/rounding.glsl");
-    if (has_lists(passes)) text.file("proof/list_of_ray.glsl");
-    text.file("proof/block_outcome.glsl");
-    text.file("proof/way.glsl");
-    text.file("proof/outcome.glsl");
-    text.file(bounds == ProofBounds::in_doubles ? "proof/in_doubles.glsl" : "proof/in_floats.glsl");
-    text.file("proof/tube.glsl");
+    if (has_lists(passes)) text.file("proof/lists.glsl");
+    if (bounds == ProofBounds::in_doubles) text.define(Feature::doubles);
+    text.file("proof/ray.glsl");
     add_inside_bounds(text, one);
 }
 
 void add_value_at(ShaderText& text, ProofBounds bounds) {
-    text.file(bounds == ProofBounds::natural ? "proof/value_over_box.glsl"
-                                             : "proof/value_by_gradient.glsl");
+    if (bounds != ProofBounds::natural) text.define(Feature::value_by_gradient);
+    text.file("proof/value.glsl");
 }
 
 // The bounds on F at a root with which proofs of single rays begin. Terms of one sum do not cancel
@@ -119,9 +115,8 @@ void add_ray_models(ShaderText& text, const formula::Field& field, formula::Numb
 void add_ray_bounds(ShaderText& text, const formula::Field& field, const Passes& passes,
                     ProofBounds bounds) {
     add_value_at(text, bounds);
-    text.file("proof/directional.glsl");
-    text.file(takes_hessian(field, passes, bounds) ? "proof/bounds_by_hessian.glsl"
-                                                   : "proof/bounds_over_box.glsl");
+    if (takes_hessian(field, passes, bounds)) text.define(Feature::hessian);
+    text.file("proof/bounds_of_piece.glsl");
     text.file("proof/prove.glsl");
 }
 
@@ -149,23 +144,15 @@ Pass block_proof(const scene::OneSurface& one, const Passes& passes, Role role) 
     text.file("march/verdict.glsl");
     text.file("proof/ending.glsl");
     text.file("proof/rounding.glsl");
-    text.file("proof/block_outcome.glsl");
     if (has_lists(passes)) text.define(Feature::lists);
     add_trimmed_ends(text, passes);
     add_beam_of_block(text, one, passes, block);
-    if (has_lists(passes)) text.file("proof/list_of_block.glsl");
+    if (has_lists(passes)) text.file("proof/lists.glsl");
     if (by_models) {
         text.file("models/piece_of_block.glsl");
-        text.file("proof/ends_of_block.glsl");
-        if (!is_coarse) {
-            add_inside_bounds(text, one);
-            text.file("proof/roots_of_block.glsl");
-            if (settles_blocks(passes)) {
-                text.file("march/beam_roots.glsl");
-                text.file("march/slab.glsl");
-                text.file("proof/first_roots.glsl");
-            }
-        }
+        if (!is_coarse) add_inside_bounds(text, one);
+        if (!is_coarse && settles_blocks(passes)) text.file("march/slab.glsl");
+        text.file("proof/roots_of_block.glsl");
     }
     text.file(by_models ? "proof/block_by_models.frag" : "proof/block.frag");
     return std::move(text).pass(role, is_coarse ? "coarse block proof" : "block proof",
@@ -178,7 +165,7 @@ Pass block_mask(const Passes& passes) {
     text.define(Feature::squares_apart, beam_square);
     text.file("march/beam_place.glsl");
     define_parent(text, passes.beams.back());
-    text.file("proof/block_outcome.glsl");
+    text.file("proof/rounding.glsl");
     text.file("march/part_of_beam.glsl");
     text.file("proof/block_mask.frag");
     return std::move(text).pass(Role::block_mask, "block mask", When::once_a_tile);
@@ -203,7 +190,6 @@ Pass first_proof(const scene::OneSurface& one, const Passes& passes) {
         add_proof(text, one, passes, bounds);
         add_value_at(text, bounds);
     }
-    text.file("proof/begun.glsl");
     text.file("proof/begin.frag");
     return std::move(text).pass(Role::first_proof, "first proof", When::once_a_tile);
 }

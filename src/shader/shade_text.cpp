@@ -156,7 +156,6 @@ Pass fused_pass(const scene::OneSurface& one, const Passes& passes) {
 
 Pass settled_pass(const scene::OneSurface& one, const Passes& passes) {
     ShaderText text = begin_fused(one, passes, {FieldFunction::directional});
-    text.define(Feature::settled_rays);
     add_settled_march(text, passes);
     add_shade_of_ray(text, one, passes);
     text.file("shade/shade.frag");
@@ -169,7 +168,8 @@ Pass mask_pass(const scene::OneSurface& one, const Passes& passes) {
     const bool by_beams = !passes.beams.empty();
     if (by_beams && one.is_alone()) {
         define_blocks(text, passes.beams.back());
-        text.file("march/mask_of_blocks.frag");
+        text.define(Feature::masks_blocks);
+        text.file("march/mask.frag");
     } else {
         text.define(Feature::draws_at_once);
         text.file("math/bits.glsl");

@@ -24,4 +24,21 @@ std::string code_of(std::string_view text) {
     return code;
 }
 
+std::string replaced(const std::string& text, const std::map<std::string, std::string>& words) {
+    if (words.empty()) return text;
+    std::string made;
+    for (auto at = text.begin(); at != text.end();) {
+        const auto end = std::find_if_not(at, text.end(), is_of_a_word);
+        if (end == at) {
+            made += *at++;
+            continue;
+        }
+        const std::string word(at, end);
+        const auto found = words.find(word);
+        made += found == words.end() ? word : found->second;
+        at = end;
+    }
+    return made;
+}
+
 } // namespace isomotion::shader

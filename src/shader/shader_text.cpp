@@ -9,27 +9,6 @@
 #include "shader/shader_files.h"
 
 namespace isomotion::shader {
-namespace {
-
-std::string replaced(const std::string& text, const std::map<std::string, std::string>& words) {
-    if (words.empty()) return text;
-    std::string made;
-    for (auto at = text.begin(); at != text.end();) {
-        const auto end = std::find_if_not(at, text.end(), is_of_a_word);
-        if (end == at) {
-            made += *at++;
-            continue;
-        }
-        const std::string word(at, end);
-        const auto found = words.find(word);
-        made += found == words.end() ? word : found->second;
-        at = end;
-    }
-    return made;
-}
-
-} // namespace
-
 ShaderText::ShaderText(Stage stage)
     : files_{"prelude.glsl"}
     , stage_(stage)
@@ -39,15 +18,11 @@ ShaderText::ShaderText(Stage stage)
         define(Feature::compute);
         define(Feature::workgroup_side, workgroup_side);
     }
-    file_of_stage("stage/fragment.glsl", "stage/compute.glsl");
+    file("stage/stage.glsl");
 }
 
 void ShaderText::version(int glsl) {
     text_.replace(0, text_.find('\n'), fmt::format("#version {} core", glsl));
-}
-
-void ShaderText::file_of_stage(const std::string& fragment, const std::string& compute) {
-    file(stage_ == Stage::fragment ? fragment : compute);
 }
 
 void ShaderText::file(const std::string& name) {

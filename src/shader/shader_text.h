@@ -35,8 +35,6 @@ public:
     // Adds a file whose words in capital letters stand for others, with flags of its own.
     void instance(const std::string& name, const std::map<std::string, std::string>& words,
                   const std::vector<Feature>& flags = {});
-    // Adds the version of a file for the stage: the first name for fragment shaders.
-    void file_of_stage(const std::string& fragment, const std::string& compute);
     // Sets a flag, or a value, before the files that ask for it.
     void define(Feature flag);
     void define(Feature feature, int value);

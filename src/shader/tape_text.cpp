@@ -237,18 +237,11 @@ void add_tapes(ShaderText& text, const FieldTapes& tapes,
     }
 }
 
-void add_way_past_free_tapes(ShaderText& text) {
-    text.define(Feature::passes_free);
-    text.file("tape/free_cells.glsl");
-    text.file("march/pass_free.glsl");
-}
-
-void add_signs_in_free_tapes(ShaderText& text, const FieldTapes& tapes) {
+void define_signs_in_free_tapes(ShaderText& text, const FieldTapes& tapes) {
     text.define(Feature::signs_in_free_cells);
     text.define(Feature::tape_inputs, tapes.function(FieldFunction::directional).inputs);
     text.define(Feature::run_tape_of_rays,
                 fmt::format("run_tape_{}", int(FieldFunction::directional)));
-    text.file("tape/signs.glsl");
 }
 
 } // namespace isomotion::shader

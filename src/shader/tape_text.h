@@ -49,11 +49,8 @@ inline constexpr int tape_vectors_of_place = 2, tape_vectors = 5;
 
 void add_tapes(ShaderText& text, const FieldTapes& tapes, const std::vector<FieldFunction>& wanted);
 
-// Adds pass_free(), which moves rays past cells in which F keeps off 0.
-void add_way_past_free_tapes(ShaderText& text);
-
-// Adds field_directional_or_sign(), which runs no tape in such cells. It tells `tape_is_free` then,
-// and a number of F's sign, which is enough where bounds judge.
-void add_signs_in_free_tapes(ShaderText& text, const FieldTapes& tapes);
+// Lets march/sample.glsl have field_directional_or_sign(), which runs no tape in such cells. It
+// tells `tape_is_free` then, and a number of F's sign, which is enough where bounds judge.
+void define_signs_in_free_tapes(ShaderText& text, const FieldTapes& tapes);
 
 } // namespace isomotion::shader

@@ -50,7 +50,7 @@ class EffectText : public testing::TestWithParam<Named> {};
 
 const std::vector<Named> every_effect{
     {"[[lights]]\ndirection = [1, 0, 0]\nshadow = true\n", "effects/shadow.glsl", "shadow_ray"},
-    {"[[lights]]\nposition = [2, 0, 0]\n", "effects/near_lights.glsl", "place.w == 0.0"},
+    {"[[lights]]\nposition = [2, 0, 0]\n", "effects/lights.glsl", "place.w == 0.0"},
     {"[ground]\nheight = -1\n", "effects/ground.glsl", "ground_plane"},
     {"[fog]\ndensity = 0.1\n", "effects/fog.glsl", "in_fog"},
     {"[occlusion]\n", "effects/occlusion.glsl", "openness"},

@@ -16,7 +16,7 @@ namespace {
 constexpr int block = shader::proved_block;
 
 TEST(ProvedBlocks, HaveTheCodesOfTheShaders) {
-    const std::string text = shader::read_shader("proof/block_outcome.glsl");
+    const std::string text = shader::read_shader("proof/rounding.glsl");
     EXPECT_NE(text.find("BLOCK_MISSES = -1.0;"), std::string::npos);
     EXPECT_NE(text.find("BLOCK_HITS = -2.0;"), std::string::npos);
     EXPECT_EQ(block_misses, -1.0f);

@@ -29,7 +29,7 @@ function drawsInSoftware(gl) {
 }
 
 // Steps of rays branch on graphics cards, which skip what no ray of a group needs:
-// shaders/march/hermite.glsl.
+// shaders/march/cubic.glsl.
 function forHardware(text) {
     return text.replace("\n", "\n#define BRANCHES 1\n");
 }

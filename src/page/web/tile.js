@@ -1,7 +1,7 @@
 // Draws one tile of a picture, as src/render/renderer.cpp does: beams, then march and picture in one
 // draw of each surface, or rays in as many passes as they take and what is lit from their ends.
 
-const nowhere = 1e30; // NO_END of shaders/surfaces/seen_way.glsl
+const nowhere = 1e30; // NO_END of shaders/surfaces/way.glsl
 const mostPlaces = 64; // of tiles
 const mostPatience = 100; // milliseconds
 

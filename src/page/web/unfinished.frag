@@ -1,5 +1,5 @@
 #version 300 es
-// Passes where a ray did not end within one draw: VERDICT_UNFINISHED of shaders/shade/record.glsl.
+// Passes where a ray did not end within one draw: VERDICT_UNFINISHED of shaders/shade/hit.glsl.
 precision highp float;
 precision highp usampler2D;
 uniform usampler2D record;

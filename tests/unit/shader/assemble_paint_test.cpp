@@ -27,8 +27,8 @@ TEST_F(AssemblePaint, ColoursSumWhatTheirWeightsAllow) {
     EXPECT_THAT(near, Not(HasSubstr("all_texel")));
     const std::string all = shade("sum(blobs, cx*x)");
     EXPECT_THAT(all, Not(HasSubstr("vec3 own) {\n    enter_cell")));
-    EXPECT_THAT(all, HasSubstr("#define array0_texel all_texel\n"));
-    EXPECT_THAT(all, HasSubstr("#undef array0_texel\n"));
+    EXPECT_THAT(all, HasSubstr("vec4 all_texel(int element, int texel) {"));
+    EXPECT_THAT(all, HasSubstr("e0 < all_count"));
 }
 
 // A kernel that field and paint share is defined once.

@@ -261,9 +261,10 @@ TEST_F(Assemble, TheMethodChangesTheMarchAlone) {
     // Uniform steps with a sign test pay for no derivative.
     EXPECT_THAT(text_of(all[0], Role::march), Not(HasSubstr("field_directional")));
     EXPECT_THAT(text_of(all[0], Role::march), HasSubstr("float field(vec3 p)"));
-    // The two adaptive methods differ by one file.
-    Lines taylor = lines_of(read_shader("march/taylor_test.glsl"));
-    taylor.insert("// shaders/march/taylor_test.glsl");
+    // The two adaptive methods differ by their test.
+    const std::string steps = read_shader("march/amp_steps.glsl");
+    const std::size_t begin = steps.find("#ifdef TAYLOR_TEST\n") + 19;
+    const Lines taylor = lines_of(steps.substr(begin, steps.find("#else\n", begin) - begin));
     const Lines more =
         without(lines_of(text_of(all[2], Role::march)), lines_of(text_of(all[1], Role::march)));
     EXPECT_THAT(without(more, taylor), IsEmpty());

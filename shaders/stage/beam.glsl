@@ -1,0 +1,17 @@
+#ifdef COMPUTE
+// Work groups extend over the upper and right edges of the blocks.
+uniform ivec4 blocks; // the first one's place, and how many there are
+
+void main() {
+    ivec2 at = ivec2(gl_GlobalInvocationID.xy);
+    if (any(greaterThanEqual(at, blocks.zw))) return;
+    ivec2 block = blocks.xy + at;
+    follow_beam(block);
+    store_results(beam_texel(block, SQUARE_BITS));
+}
+#else
+// The viewport is a square of blocks: march/beam_place.glsl.
+void main() {
+    follow_beam(beam_block(ivec2(pixel_centre), SQUARE_BITS));
+}
+#endif

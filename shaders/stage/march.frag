@@ -1,4 +1,0 @@
-// The viewport is the tile.
-void main() {
-    march_pixel();
-}
