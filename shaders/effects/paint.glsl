@@ -1,5 +1,5 @@
 // Colours a point by expressions of the place: by a number on a map of colours, or by a colour. Needs
-// curvatures(), and color_map() and paint_value(), or color_value().
+// curvatures(), what is generated from the expressions, and for a number color_map().
 #ifdef PAINT
 uniform vec2 paint_range; // numbers at the ends of the map
 
