@@ -11,6 +11,7 @@
 // Added to alpha^2 of the surface being lit.
 float footprint_alpha2 = 0.0;
 
+#ifdef HESSIAN
 // `width`: of the beam along `direction`. Returns 2 where the normal has no derivative.
 float turn_of_normal(SurfacePoint p, vec3 direction, float width) {
     if (p.on_ground) return 0.0;
@@ -32,3 +33,9 @@ float turn_of_normal(SurfacePoint p, vec3 direction, float width) {
     float turn = width / p.steepness * sqrt(dot(hu, hu) + dot(hv, hv) / (slant * slant));
     return turn < 2.0 ? turn : 2.0; // also for NaN
 }
+#else
+// The formula's second derivatives are too long for a shader.
+float turn_of_normal(SurfacePoint p, vec3 direction, float width) {
+    return 0.0;
+}
+#endif

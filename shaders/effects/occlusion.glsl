@@ -1,3 +1,11 @@
+#ifdef SURFACE
+// What all surfaces leave of the light from everywhere, see surfaces/occlusion.frag.
+uniform sampler2D occlusion_texture;
+
+float openness(SurfacePoint p) {
+    return p.on_ground ? 1.0 : IM_TEXEL(occlusion_texture, ivec2(pixel_centre)).x;
+}
+#else
 // Ambient occlusion after Evans 2006. Along the normal of an open plane the distance to it grows as
 // fast as the sample moves away. Where |F| / |grad F| grows less, something is near.
 uniform vec4 occlusion; // reach in formula units, strength
@@ -19,3 +27,4 @@ float openness(SurfacePoint p) {
     }
     return p.on_ground ? 1.0 : 1.0 - occlusion.y * missing / most;
 }
+#endif

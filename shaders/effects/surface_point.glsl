@@ -37,3 +37,13 @@ SurfacePoint unpack_surface(vec4 a, vec4 b, vec4 c) {
 #endif
     return p;
 }
+
+#ifdef HITS
+Hit hit_of(SurfacePoint p) {
+    Hit hit = hit_at(p.position, p.normal, p.t, p.inside);
+#ifdef SECTIONS
+    hit.cap = p.cap;
+#endif
+    return hit;
+}
+#endif

@@ -1,4 +1,4 @@
-// Lights glass by effects/brdf_ggx.glsl. Transmitted light is taken from the matt part only; the
+// Lights glass by effects/material.glsl. Transmitted light is taken from the matt part only; the
 // highlight, also of metal, is the same as without glass.
 
 // The matt part of reflected().

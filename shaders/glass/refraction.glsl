@@ -1,5 +1,15 @@
 // Refraction, after Born and Wolf, Principles of Optics, 1.5. Needs surface_point.glsl.
 
+#ifndef FOLLOWS_PATHS
+// The matter of a surface of glass, and how light fades in it.
+uniform vec4 glass;      // transmission, index of refraction
+uniform vec4 absorption; // per formula unit
+
+vec3 absorbed(float way) {
+    return exp(-absorption.rgb * max(way, 0.0));
+}
+#endif
+
 // The split of light from `direction` at the surface.
 struct Refraction {
     float reflected; // the part of unpolarised light; 1: total reflection

@@ -2,7 +2,7 @@
 // in glass, or enters it at bounds. See march/mask.frag.
 uniform sampler2D surface_texture_1;
 uniform sampler2D surface_texture_3;
-uniform sampler2D surface_texture_4; // see begin.glsl
+uniform sampler2D surface_texture_4; // see bounds.glsl
 
 void main() {
     ivec2 at = ivec2(pixel_centre);

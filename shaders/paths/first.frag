@@ -1,7 +1,7 @@
 // Begins the paths of the pixels of begins.frag. Rays that begin in glass, or enter it at bounds, are
 // followed anew from there.
 uniform int rays_left;
-uniform sampler2D surface_texture_4; // see begin.glsl
+uniform sampler2D surface_texture_4; // see bounds.glsl
 uniform vec4 surface_way;            // see surfaces/way.glsl
 
 void main() {

@@ -1,6 +1,6 @@
 // Continues a path where it met this surface, or ends it there. `way`: of its ray. `is_first`: it is the
 // eye's ray, of whose end shade() tells the colour. Needs path.glsl, matter.glsl and
-// glass/behind.glsl.
+// glass/surroundings.glsl.
 
 #if defined(GLASS)
 // The surface of glass: glass/through.glsl, between any two kinds of matter. Needs lit_again().

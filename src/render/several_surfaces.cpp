@@ -10,7 +10,7 @@ using shader::Role;
 
 constexpr int kept_textures = 4; // of what is kept of an end, see shaders/surfaces/nearest.glsl
 
-// One more where paths may begin before it: shaders/paths/begin.glsl.
+// One more where paths may begin before it: shaders/paths/bounds.glsl.
 int textures_of_ends(const scene::Scene& scene) {
     return kept_textures + int(shader::follows_paths(scene));
 }

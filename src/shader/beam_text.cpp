@@ -106,6 +106,7 @@ Pass beam_pass_by_intervals(const scene::OneSurface& one, const Passes& passes, 
     const bool makes_lists = beam.lists != BeamLists::none;
     const bool writes_buffer = makes_lists && !has_copies(passes);
     constexpr std::array<std::string_view, 3> results{"part", "lists", "list_of_all"};
+    text.define(Feature::beam_boxes);
     declare_results(text, passes.stage,
                     std::span(results).first(std::size_t(writes_buffer ? 3 : 1)));
     if (writes_buffer) text.version(430);
@@ -138,11 +139,10 @@ Pass beam_pass_by_intervals(const scene::OneSurface& one, const Passes& passes, 
     }
     text.file("frame.glsl");
     add_boxes(text, one, passes, parent);
-    text.define(Feature::beam_boxes);
     add_sections(text, one.scene);
     if (makes_lists) text.file("march/beam_list.glsl");
     text.file("march/beam_by_intervals.glsl");
-    text.file("stage/beam.glsl");
+    text.file("stage/main.glsl");
     Pass pass = std::move(text).pass(Role::beams, name_of(beam), When::once_a_tile);
     pass.level = level;
     return pass;
@@ -151,6 +151,7 @@ Pass beam_pass_by_intervals(const scene::OneSurface& one, const Passes& passes, 
 Pass beam_pass_by_models(const scene::OneSurface& one, const Passes& passes, int level) {
     const BeamLevel& beam = passes.beams[std::size_t(level)];
     ShaderText text(passes.stage);
+    text.define(Feature::beam_boxes);
     declare_results(text, passes.stage, std::array<std::string_view, 2>{"part", "roots"});
     define_blocks(text, beam);
     if (one.surface.isolation.certify) text.define(Feature::both_ends);
@@ -162,7 +163,7 @@ Pass beam_pass_by_models(const scene::OneSurface& one, const Passes& passes, int
     text.define(Feature::bounds_rounding, "beam.w");
     add_inside_bounds(text, one);
     text.file("march/beam_by_models.glsl");
-    text.file("stage/beam.glsl");
+    text.file("stage/main.glsl");
     Pass pass = std::move(text).pass(Role::beams, name_of(beam), When::once_a_tile);
     pass.level = level;
     return pass;

@@ -58,10 +58,10 @@ const std::array table{
                  true, "", "shadow_mask"},
     EffectTraits{Effect::blinn_phong, "blinn-phong", "material.model: a highlight",
                  [](const OneSurface& s) { return s.surface.material.model == Model::blinn_phong; },
-                 become_matt<Model::blinn_phong>, true, "pow", "brdf_blinn_phong", add_gloss},
+                 become_matt<Model::blinn_phong>, true, "pow", "material", add_gloss},
     EffectTraits{Effect::ggx, "ggx", "material.model: from plastic to metal",
                  [](const OneSurface& s) { return s.surface.material.model == Model::ggx; },
-                 become_matt<Model::ggx>, true, "", "brdf_ggx", add_gloss},
+                 become_matt<Model::ggx>, true, "", "material", add_gloss},
     EffectTraits{Effect::two_sides, "two-sides",
                  "material.back_color: a colour for the side where F < 0",
                  [](const OneSurface& s) { return s.surface.material.inside.has_value(); },
@@ -130,7 +130,7 @@ const std::array table{
                  }},
     EffectTraits{Effect::fog, "fog", "[fog]: fades with the distance",
                  [](const OneSurface& s) { return s.scene.fog.has_value(); },
-                 [](Scene& s) { s.fog.reset(); }, true, "", "fog",
+                 [](Scene& s) { s.fog.reset(); }, true, "", "",
                  [](const OneSurface&, const OneSurfaceAt& now, Uniforms& to) {
                      add(to, "fog",
                          {now.scene.fog.density, now.scene.fog.start, now.surface.placement.scale});
@@ -179,7 +179,7 @@ const std::array table{
                  }},
     EffectTraits{Effect::ambient, "ambient", "[ambient]: light from everywhere, of two colours",
                  [](const OneSurface& s) { return s.scene.ambient.has_value(); },
-                 [](Scene& s) { s.ambient.reset(); }, true, "", "ambient",
+                 [](Scene& s) { s.ambient.reset(); }, true, "", "",
                  [](const OneSurface&, const OneSurfaceAt& now, Uniforms& to) {
                      add(to, "ambient_top", now.scene.ambient.top);
                      add(to, "ambient_bottom", now.scene.ambient.bottom);

@@ -121,7 +121,7 @@ std::string mirrored(const scene::OneSurface& one) {
 std::string_view file_among(Effect effect) {
     switch (effect) {
     case Effect::occlusion:
-        return "surfaces/openness.glsl";
+        return "effects/occlusion.glsl";
     case Effect::self_reflection: // also of paths
         return "surfaces/seen.glsl";
     default:
@@ -130,8 +130,11 @@ std::string_view file_among(Effect effect) {
 }
 
 void add_effects(ShaderText& text, const scene::OneSurface& one, bool in_mirror) {
-    if (one.surface.material.model == scene::Material::Model::lambert)
-        text.file("effects/brdf_lambert.glsl");
+    using Model = scene::Material::Model;
+    const Model model = one.surface.material.model;
+    if (model == Model::ggx) text.define(Feature::ggx);
+    if (model == Model::blinn_phong) text.define(Feature::blinn_phong);
+    if (model == Model::lambert) text.file("effects/material.glsl");
     for (const Effect effect : effects(one)) {
         const EffectTraits& row = traits(effect);
         const std::string_view among = !one.is_alone() ? file_among(effect) : std::string_view{};
@@ -147,7 +150,7 @@ void add_effects(ShaderText& text, const scene::OneSurface& one, bool in_mirror)
             text.file(fmt::format("effects/{}.glsl", row.file));
         }
     }
-    text.file(sky_file(one.scene));
+    add_sky(text, one.scene);
 }
 
 // further_record(): what further rays took, as shaders/shade/hit.glsl packs it.
@@ -193,10 +196,14 @@ std::string further_record(const scene::OneSurface& one) {
 
 } // namespace
 
-const char* sky_file(const scene::Scene& scene) {
-    return scene.environment && scene.environment->background ? "effects/sky_environment.glsl"
-           : scene.output.gradient                            ? "effects/sky_gradient.glsl"
-                                                              : "effects/sky_flat.glsl";
+void add_sky(ShaderText& text, const scene::Scene& scene) {
+    if (scene.environment && scene.environment->background)
+        text.define(Feature::sky_environment);
+    else if (scene.output.gradient)
+        text.define(Feature::sky_gradient);
+    if (scene.ambient) text.define(Feature::ambient);
+    if (scene.fog) text.define(Feature::fog);
+    text.file("effects/sky.glsl");
 }
 
 int shadow_mask(const scene::Scene& scene) {
@@ -243,16 +250,15 @@ void add_shading(ShaderText& text, const scene::OneSurface& one) {
     const Reflection reflection = one.surface.material.reflection;
     const bool has_shadows = shadow_mask(one.scene) != 0;
     add_lights(text, one.scene);
-    text.file("effects/hit_of.glsl");
     if (mirrors_environment(one)) {
         text.define(Feature::footprint);
-        text.file(mirror_hessian(one) ? "effects/footprint.glsl" : "effects/no_footprint.glsl");
+        if (mirror_hessian(one)) text.define(Feature::hessian);
+        text.file("effects/footprint.glsl");
     }
     if (!one.scene.sections.empty()) text.file("section/distance.glsl");
+    if (mirrors_shadows(one)) text.define(Feature::mirrored_shadows);
+    if (one.is_alone() && shows_shadows_through_glass(one)) text.define(Feature::glass_shadows);
     add_effects(text, one, false);
-
-    if (mirrors_environment(one)) text.file("effects/rough_environment.glsl");
-    if (mirrors_shadows(one)) text.file("effects/mirrored_shadow_mask.glsl");
 
     if (follows_paths(one.scene)) {
         add_matter_of_surface(text, one);
@@ -287,7 +293,6 @@ void add_shading(ShaderText& text, const scene::OneSurface& one) {
 
 void add_lit_again(ShaderText& text, const scene::OneSurface& one) {
     add_lights(text, one.scene);
-    text.file("effects/hit_of.glsl");
     add_effects(text, one, true);
     add_matter_of_surface(text, one);
     text.generated("generated: what shines on a surface in the middle of a path",
@@ -296,7 +301,6 @@ void add_lit_again(ShaderText& text, const scene::OneSurface& one) {
 
 void add_seen_shading(ShaderText& text, const scene::OneSurface& one) {
     add_lights(text, one.scene);
-    text.file("effects/hit_of.glsl");
     add_effects(text, one, true);
     if (follows_paths(one.scene)) add_matter_of_surface(text, one);
     const bool mirrors = one.surface.material.reflection != Reflection::none;

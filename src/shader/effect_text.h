@@ -22,8 +22,8 @@ std::optional<formula::Program> mirror_hessian(const scene::OneSurface& one);
 // Whether shadow rays also start where mirrored rays ended.
 bool mirrors_shadows(const scene::OneSurface& one);
 
-// The file of shaders/ with sky(): the background beside the surface.
-const char* sky_file(const scene::Scene& scene);
+// Adds sky(), the background beside the surface, and what else is around it.
+void add_sky(ShaderText& text, const scene::Scene& scene);
 
 // Adds the parts of the shade pass after rays, shading.glsl and surface_color(): the generated
 // shade().

@@ -50,7 +50,19 @@ enum class Feature {
     signs_in_free_cells,  // whose samples are a number of F's sign
     footprint,            // highlights are blurred by a pixel's footprint
     // What is seen.
-    box,            // the bounds are a box: otherwise a sphere
+    box,              // the bounds are a box: otherwise a sphere
+    hits,             // there are hits, for ends of rays to become
+    meets_ground,     // rays end on the ground, too
+    mirrored_shadows, // there are shadow rays where mirrored rays ended,
+    glass_shadows,    // and on the ground seen through glass
+    environment,      // there is a map of what is around,
+    sky_environment,  // which is the background, or that is
+    sky_gradient,     // of two colours
+    ambient,          // light from everywhere has two colours
+    fog,
+    transparent,    // pictures have no background
+    ggx,            // the material is of facets,
+    blinn_phong,    // or has a highlight on a matt surface
     lights,         // how many
     near_lights,    // some lights are at places
     shadows,        // a bit for each light that casts shadows
@@ -74,6 +86,10 @@ enum class Feature {
     glass,          // the surface is of glass
     mirrors_all,    // the surface mirrors the others
     ground,         // there is a plane below
+    stores_paths,   // the pass stores paths,
+    ended_paths,    // masks those that ended,
+    begins_paths,   // finds where they begin,
+    ends_at_bounds, // or ends them at bounds
     most_crossings, // of bounds by a path
     // Attachments.
     depth_location,

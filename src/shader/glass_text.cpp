@@ -13,47 +13,26 @@ namespace {
 
 using Model = scene::Material::Model;
 
-// What is seen beside the surface, without the ground.
-void add_far_away(ShaderText& text, const scene::Scene& scene) {
-    if (scene.environment) {
-        for (const auto& file : kernel_files({"atan"})) text.file(file);
-        text.file("effects/environment.glsl");
+void add_ground(ShaderText& text, const scene::Scene& scene) {
+    if (scene.ground) {
+        text.define(Feature::ground);
+        add_lights(text, scene);
     }
-    text.file(sky_file(scene));
-    // The map is mirrored, also where another background is seen.
-    const char* around = scene.environment ? "environment(direction)" : "sky(direction).rgb";
-    const char* behind = scene.output.transparent ? around : "sky(direction).rgb";
-    text.generated("generated: what is far away, mirrored and behind glass",
-                   fmt::format("vec3 around(vec3 direction) {{\n    return {};\n}}\n"
-                               "vec3 behind(vec3 direction) {{\n    return {};\n}}\n",
-                               around, behind));
+    text.file("glass/ground.glsl");
 }
-
-void add_ground_light(ShaderText& text, const scene::Scene& scene) {
-    add_lights(text, scene);
-    if (scene.ambient) text.file("effects/ambient.glsl");
-    text.generated("generated: light from everywhere",
-                   fmt::format("vec3 light_from_everywhere(vec3 normal) {{\n    return {};\n}}\n",
-                               scene.ambient ? "ambient(normal)" : "vec3(0.12)"));
-    text.file("glass/ground_light.glsl");
-}
-
-constexpr const char* all_arrives = "float arrives(int k) {\n    return 1.0;\n}\n";
 
 // through(), of places that end_of_ray() tells of.
 void add_way_through(ShaderText& text, const scene::Scene& scene) {
     if (!scene.sections.empty()) text.file("section/distance.glsl");
     text.file("effects/end_of_ray.glsl");
-    text.file("glass/matter.glsl");
     text.file("glass/refraction.glsl");
     add_surroundings(text, scene);
-    text.file("glass/behind.glsl");
     text.file("glass/through.glsl");
-    text.file("glass/store_path.glsl");
 }
 
 Pass first_pass(const scene::OneSurface& one, const Passes& passes) {
     ShaderText text;
+    text.define(Feature::stores_paths);
     text.define(Feature::lights, int(one.scene.lights.size()));
     add_field(text, *one.surface.field, passes, {FieldFunction::value});
     add_ray(text, one);
@@ -74,6 +53,7 @@ Pass first_pass(const scene::OneSurface& one, const Passes& passes) {
 
 Pass next_pass(const scene::OneSurface& one, const Passes& passes) {
     ShaderText text;
+    text.define(Feature::stores_paths);
     text.define(Feature::lights, int(one.scene.lights.size()));
     std::vector<FieldFunction> functions{FieldFunction::value};
     if (!passes.march_takes_gradient) functions.push_back(FieldFunction::gradient);
@@ -89,8 +69,9 @@ Pass next_pass(const scene::OneSurface& one, const Passes& passes) {
 
 Pass path_pass(Role role, const char* name, const char* file) {
     ShaderText text;
+    if (role == Role::glass_copy) text.define(Feature::stores_paths);
+    if (role == Role::glass_active) text.define(Feature::counts_rays);
     text.file("glass/path.glsl");
-    if (role == Role::glass_copy) text.file("glass/store_path.glsl");
     return pass_over_paths(std::move(text), role, name, file);
 }
 
@@ -102,7 +83,8 @@ Pass ground_pass(const scene::OneSurface& one) {
     text.file("effects/load_surface.glsl");
     text.file("effects/store_surface.glsl");
     text.file("glass/path.glsl");
-    text.file("glass/ground_ahead.glsl");
+    text.define(Feature::ground);
+    text.file("glass/ground.glsl");
     text.file("glass/ground_end.frag");
     return std::move(text).pass(Role::glass_ground, "ground through glass", When::once_a_tile);
 }
@@ -125,23 +107,15 @@ std::string transmission(const scene::OneSurface& one) {
 std::string opaque_part() { return "float opaque_part() {\n    return 1.0 - glass.x;\n}\n"; }
 
 void add_surroundings(ShaderText& text, const scene::Scene& scene) {
-    add_far_away(text, scene);
-    if (!scene.ground) {
-        text.file("glass/no_ground.glsl");
-        text.generated("generated: what is around a place",
-                       "vec3 seen_around(vec3 position, vec3 direction) {\n"
-                       "    return around(direction);\n}\n");
-        return;
+    if (scene.environment) {
+        for (const auto& file : kernel_files({"atan"})) text.file(file);
+        text.define(Feature::environment);
+        text.file("effects/environment.glsl");
     }
-    text.file("glass/ground_ahead.glsl");
-    text.generated("generated: no shadow rays go from what is mirrored", all_arrives);
-    add_ground_light(text, scene);
-    text.generated("generated: what is around a place",
-                   "vec3 seen_around(vec3 position, vec3 direction) {\n"
-                   "    float way = ground_ahead(position, direction);\n"
-                   "    if (way > 0.0) return ground_light(position + way * direction, "
-                   "ground_normal(direction));\n"
-                   "    return around(direction);\n}\n");
+    add_sky(text, scene);
+    add_ground(text, scene);
+    if (scene.output.transparent) text.define(Feature::transparent);
+    text.file("glass/surroundings.glsl");
 }
 
 bool shows_shadows_through_glass(const scene::OneSurface& one) {
@@ -150,28 +124,18 @@ bool shows_shadows_through_glass(const scene::OneSurface& one) {
 
 void add_glass_ray(ShaderText& text) {
     text.file("glass/path.glsl");
-    text.file("glass/may_meet.glsl");
     text.file("glass/ray.glsl");
 }
 
 void add_matter(ShaderText& text, const scene::OneSurface& one) {
     text.file("glass/path.glsl");
-    text.file("glass/matter.glsl");
     text.file("glass/refraction.glsl");
     text.generated("generated: the part of what is matt that is as without glass", opaque_part());
     if (one.surface.material.model == Model::ggx) text.file("glass/matt_ggx.glsl");
 }
 
 void add_seen_through_glass(ShaderText& text, const scene::OneSurface& one) {
-    if (one.scene.ground) {
-        if (shows_shadows_through_glass(one)) {
-            text.file("glass/ground_shadow.glsl");
-        } else {
-            text.generated("generated: no shadows", all_arrives);
-        }
-        text.file("glass/ground_ahead.glsl");
-        add_ground_light(text, one.scene);
-    }
+    if (one.scene.ground) add_ground(text, one.scene);
     text.generated(
         "generated: what is seen through glass",
         beside_reflection(one) +
@@ -194,7 +158,7 @@ std::vector<Pass> glass_passes(const scene::OneSurface& one, const Passes& passe
     all.push_back(next_pass(one, passes));
     all.push_back(path_pass(Role::glass_copy, "glass copy", "glass/copy.frag"));
     all.push_back(path_pass(Role::glass_mask, "glass mask", "glass/mask.frag"));
-    all.push_back(path_pass(Role::glass_active, "glass active", "glass/active.frag"));
+    all.push_back(path_pass(Role::glass_active, "glass active", "glass/mask.frag"));
     if (shows_shadows_through_glass(one)) all.push_back(ground_pass(one));
     return all;
 }

@@ -24,7 +24,7 @@ std::string beside_reflection(const scene::OneSurface& one);
 std::string transmission(const scene::OneSurface& one);
 // float opaque_part(): the part of what is matt that is as without glass.
 std::string opaque_part();
-// Adds seen_around() and see_behind(): what surrounds the surfaces.
+// Adds seen_around() and see_behind(), for paths: what surrounds the surfaces.
 void add_surroundings(ShaderText& text, const scene::Scene& scene);
 // Whether shadows on the ground are visible through it.
 bool shows_shadows_through_glass(const scene::OneSurface& one);

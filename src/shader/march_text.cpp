@@ -223,7 +223,7 @@ Pass march_pass(const scene::OneSurface& one, const Passes& passes, Origin origi
     add_march(text, one, passes, origin);
     text.file("march/store_state.glsl");
     text.file("march/march_pixel.glsl");
-    text.file("stage/march.glsl");
+    text.file("stage/main.glsl");
     switch (origin) {
     case Origin::mirror:
         return std::move(text).pass(Role::mirror, "mirror", when);
@@ -272,7 +272,7 @@ Pass shadow_pass(const scene::OneSurface& one, const Passes& passes) {
     text.file("march/any_hit.glsl");
     add_crossings(text, one);
     text.file("effects/shadow.glsl");
-    text.file("stage/march.glsl");
+    text.file("stage/main.glsl");
     return std::move(text).pass(Role::shadow, "shadow", When::until_rays_end);
 }
 

@@ -23,13 +23,14 @@ bool mirrors_all(const scene::OneSurface& one) {
 // Whether its own light is part of a path that goes on.
 bool shines_on_paths(const scene::OneSurface& one) { return has_glass(one) || mirrors_all(one); }
 
-// What shaders/paths/store_path.glsl packs into floats, which are whole to 2^24.
+// What shaders/paths/path.glsl packs into floats, which are whole to 2^24.
 static_assert(scene::most_surfaces <= 8 && scene::limits::sections < 15);
 static_assert(scene::limits::glass_depth < 32 && (most_crossings + 1) << 5 < 1 << 24);
 
 void add_path(ShaderText& text, const scene::OneSurface& one) {
     text.define(Feature::surfaces, int(one.scene.surfaces.size()));
     text.define(Feature::surface, one.index);
+    text.define(Feature::follows_paths);
     if (has_glass(one)) text.define(Feature::glass);
     text.file("paths/path.glsl");
 }
@@ -65,7 +66,6 @@ void add_meeting(ShaderText& text, const scene::OneSurface& one, const Passes& p
     add_path(text, one);
     text.file("paths/matter.glsl");
     add_surroundings(text, one.scene);
-    text.file("glass/behind.glsl");
     if (shines_on_paths(one)) add_lit_again(text, one);
     if (has_glass(one)) {
         add_glass_met(text, one);
@@ -73,9 +73,7 @@ void add_meeting(ShaderText& text, const scene::OneSurface& one, const Passes& p
         text.define(Feature::mirrors_all);
         text.generated("generated: beside the mirror", beside_mirror(one));
     }
-    if (one.scene.ground) text.define(Feature::ground);
     text.file("paths/meet.glsl");
-    text.file("paths/store_path.glsl");
 }
 
 void add_field_of_meeting(ShaderText& text, const scene::OneSurface& one, const Passes& passes) {
@@ -89,6 +87,7 @@ void add_field_of_meeting(ShaderText& text, const scene::OneSurface& one, const 
 Pass meeting_pass(const scene::OneSurface& one, const Passes& passes, Role role, const char* name,
                   const char* file, Cover cover) {
     ShaderText text;
+    text.define(Feature::stores_paths);
     text.define(Feature::lights, int(one.scene.lights.size()));
     add_field_of_meeting(text, one, passes);
     add_ray(text, one);
@@ -104,7 +103,8 @@ Pass beyond_pass(const scene::OneSurface& one, const Passes& passes) {
     add_field(text, *one.surface.field, passes, {FieldFunction::value});
     add_ray(text, one);
     add_ends(text, one);
-    text.file("paths/in_matter.glsl");
+    text.define(Feature::glass);
+    text.file("paths/bounds.glsl");
     text.file("paths/beyond.frag");
     return std::move(text).pass(Role::glass_beyond, "glass beyond", When::until_rays_end,
                                 Cover{Cover::Area::rectangles});
@@ -127,8 +127,9 @@ Pass begins_pass(const scene::OneSurface& one) {
 
 Pass ended_pass(const scene::OneSurface& one) {
     ShaderText text;
+    text.define(Feature::ended_paths);
     add_path(text, one);
-    text.file("paths/ended.frag");
+    text.file("glass/mask.frag");
     return std::move(text).pass(Role::glass_ended, "glass ended", When::once_a_tile);
 }
 
@@ -156,7 +157,7 @@ Pass seen_by_paths_pass(const scene::OneSurface& one, const Passes& passes) {
                                    ? "packed_shadows(texelFetch(shadow_texture, "
                                      "ivec2(pixel_centre), 0))"
                                    : "0.0"));
-    text.file("paths/seen.frag");
+    text.file("surfaces/seen.frag");
     return std::move(text).pass(Role::seen, "seen", When::once_a_tile);
 }
 
@@ -165,7 +166,6 @@ Pass seen_by_paths_pass(const scene::OneSurface& one, const Passes& passes) {
 void add_path_ray(ShaderText& text, const scene::OneSurface& one) {
     add_path(text, one);
     text.file("paths/matter.glsl");
-    text.file("paths/may_meet.glsl");
     text.file("glass/ray.glsl");
 }
 
@@ -173,7 +173,6 @@ void add_begin_of_path(ShaderText& text, const scene::OneSurface& one) {
     if (has_glass(one)) {
         add_path(text, one);
         text.file("paths/matter.glsl");
-        text.file("paths/in_matter.glsl");
     }
     text.generated("generated: where rays begin in the matter of surfaces before",
                    one.index == 0
@@ -181,12 +180,13 @@ void add_begin_of_path(ShaderText& text, const scene::OneSurface& one) {
                        : "uniform sampler2D surface_texture_4;\n"
                          "vec4 begin_before() {\n    return texelFetch(surface_texture_4, "
                          "ivec2(pixel_centre), 0);\n}\n");
-    text.file("paths/begin.glsl");
+    text.define(Feature::begins_paths);
+    text.file("paths/bounds.glsl");
 }
 
 void add_end_at_bounds(ShaderText& text) {
-    text.file("paths/in_matter.glsl");
-    text.file("paths/at_bounds.glsl");
+    text.define(Feature::ends_at_bounds);
+    text.file("paths/bounds.glsl");
 }
 
 void add_matter_of_surface(ShaderText& text, const scene::OneSurface& one) {
@@ -214,7 +214,7 @@ std::vector<Pass> path_passes(const scene::OneSurface& one, const Passes& passes
     all.push_back(meeting_pass(one, passes, Role::glass_next, "glass next", "paths/next.frag",
                                Cover{Cover::Area::rectangles}));
     if (one.index == 0) {
-        all.push_back(path_pass(one, Role::glass_copy, "glass copy", "paths/copy.frag"));
+        all.push_back(path_pass(one, Role::glass_copy, "glass copy", "glass/copy.frag"));
         all.push_back(path_pass(one, Role::glass_mask, "glass mask", "glass/mask.frag"));
         all.push_back(ended_pass(one));
         all.push_back(ends_pass(one));

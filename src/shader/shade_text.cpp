@@ -98,6 +98,7 @@ void add_color(ShaderText& text, const scene::OneSurface& one) {
 void add_picture(ShaderText& text, const scene::OneSurface& one, Draws draws) {
     if (has_flat_shading(one, draws)) text.define(Feature::flat_shading);
     text.file("shade/shading.glsl");
+    text.define(Feature::hits);
     text.file("shade/hit.glsl");
 }
 
@@ -200,6 +201,9 @@ Pass surface_pass(const scene::OneSurface& one, const Passes& passes, Origin ori
     if (origin != Origin::mirror) text.file("effects/surface_point.glsl"); // it has that already
     add_gradient(text, passes);
     if (!one.scene.sections.empty()) text.file("section/distance.glsl");
+    // Among several surfaces the first one's rays meet the ground for all.
+    const bool meets_ground = one.scene.ground && one.index == 0;
+    if (meets_ground) text.define(Feature::meets_ground);
     text.file("effects/end_of_ray.glsl");
     text.file("effects/store_surface.glsl");
     if (!one.is_alone()) add_store_nearest(text, one, origin);
@@ -207,9 +211,6 @@ Pass surface_pass(const scene::OneSurface& one, const Passes& passes, Origin ori
     if (begins_paths) add_begin_of_path(text, one);
     const bool ends_at_bounds = origin == Origin::glass && !one.is_alone() && has_glass(one);
     if (ends_at_bounds) add_end_at_bounds(text);
-    // Among several surfaces the first one's rays meet the ground for all.
-    const bool meets_ground = one.scene.ground && one.index == 0;
-    if (meets_ground) text.file("effects/ground.glsl");
     text.generated("generated: the first of what there is",
                    fmt::format("void main() {{\n    Ray ray = pixel_ray();\n"
                                "    RayState s = load_state();\n{}"
@@ -303,8 +304,7 @@ Pass shade_pass(const scene::OneSurface& one, const Passes& passes, When when) {
         add_shading(text, one);
     } else {
         if (!one.is_alone()) {
-            text.file("effects/hit_of.glsl");
-            text.file(sky_file(one.scene));
+            add_sky(text, one.scene);
         }
         text.file("shade/lambert.glsl");
     }

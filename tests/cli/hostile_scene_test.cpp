@@ -100,10 +100,10 @@ TEST_F(Stranger, PixelsWithoutColourAreCounted) {
     namespace fs = std::filesystem;
     for (const char* part : {"shaders", "animations"})
         fs::copy(fs::path(ISOMOTION_SOURCE_DIR) / part, *this / part, fs::copy_options::recursive);
-    std::string fog = bytes("shaders/effects/fog.glsl");
+    std::string fog = bytes("shaders/effects/sky.glsl");
     const std::string exp = "exp(-thick)";
     ASSERT_NE(fog.find(exp), fog.npos);
-    write("shaders/effects/fog.glsl",
+    write("shaders/effects/sky.glsl",
           fog.replace(fog.find(exp), exp.size(), "1.0 / (thick * 0.0)"));
     write("fog.toml", sphere_scene() + "[fog]\ndensity = 1\n");
     Circumstances circumstances = this->circumstances();

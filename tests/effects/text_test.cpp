@@ -51,16 +51,16 @@ class EffectText : public testing::TestWithParam<Named> {};
 const std::vector<Named> every_effect{
     {"[[lights]]\ndirection = [1, 0, 0]\nshadow = true\n", "effects/shadow.glsl", "shadow_ray"},
     {"[[lights]]\nposition = [2, 0, 0]\n", "effects/lights.glsl", "place.w == 0.0"},
-    {"[ground]\nheight = -1\n", "effects/ground.glsl", "ground_plane"},
-    {"[fog]\ndensity = 0.1\n", "effects/fog.glsl", "in_fog"},
+    {"[ground]\nheight = -1\n", "effects/end_of_ray.glsl", "ground_plane"},
+    {"[fog]\ndensity = 0.1\n", "effects/sky.glsl", "in_fog"},
     {"[occlusion]\n", "effects/occlusion.glsl", "openness"},
-    {"[ambient]\ntop = [1, 0, 0]\n", "effects/ambient.glsl", "ambient_top"},
-    {"[material]\nreflection = \"sky\"\n", "effects/sky_flat.glsl", "mirrored("},
-    {"[material]\nmodel = \"ggx\"\n", "effects/brdf_ggx.glsl", "least_roughness"},
-    {"[material]\nmodel = \"blinn-phong\"\n", "effects/brdf_blinn_phong.glsl", "shininess"},
-    {"[environment]\nmap = \"studio.exr\"\n", "effects/sky_environment.glsl", "environment_texel"},
-    {"[output]\nbackground = { top = [1, 0, 0], bottom = [0, 0, 1] }\n",
-     "effects/sky_gradient.glsl", "sky_bottom"},
+    {"[ambient]\ntop = [1, 0, 0]\n", "effects/sky.glsl", "ambient_top"},
+    {"[material]\nreflection = \"sky\"\n", "effects/sky.glsl", "mirrored("},
+    {"[material]\nmodel = \"ggx\"\n", "effects/material.glsl", "least_roughness"},
+    {"[material]\nmodel = \"blinn-phong\"\n", "effects/material.glsl", "shininess"},
+    {"[environment]\nmap = \"studio.exr\"\n", "effects/sky.glsl", "environment_texel"},
+    {"[output]\nbackground = { top = [1, 0, 0], bottom = [0, 0, 1] }\n", "effects/sky.glsl",
+     "sky_bottom"},
     {"[material.colormap]\nvalue = \"nz\"\nrange = [-1, 1]\n", "effects/paint.glsl", "paint_range"},
     {"[material]\ncolor = [\"nz\", 1, 0]\n", "effects/paint.glsl", "color_value"},
     {"[material]\nreflection = \"self\"\n", "effects/mirror_ray.glsl", "load_mirrored"},
@@ -73,18 +73,18 @@ TEST(EffectText, MirrorsHaveWhatTheSceneHas) {
     const std::string mirror = "[material]\nreflection = \"self\"\n";
     const std::string map = "[environment]\nmap = \"studio.exr\"\n";
     const std::string shadow = "[[lights]]\ndirection = [1, 0, 0]\nshadow = true\n";
-    const auto files = [](const std::string& scene) { return passes_of(scene).files(); };
-    using testing::Contains, testing::Not;
-    const char* rough = "effects/rough_environment.glsl";
-    const char* footprint = "effects/footprint.glsl";
-    const char* shadows = "effects/mirrored_shadow_mask.glsl";
-    EXPECT_THAT(files(mirror + map), Contains(rough));
-    EXPECT_THAT(files(mirror + map), Contains(footprint));
-    EXPECT_THAT(files(mirror + map), Not(Contains(shadows)));
-    EXPECT_THAT(files(shadow + mirror), Contains(shadows));
+    const auto text = [](const std::string& scene) { return all_of(passes_of(scene)); };
+    using testing::HasSubstr, testing::Not;
+    const char* rough = "vec3 rough_environment(";
+    const char* footprint = "float turn_of_normal(";
+    const char* shadows = "float mirrored_visibility(";
+    EXPECT_THAT(text(mirror + map), HasSubstr(rough));
+    EXPECT_THAT(text(mirror + map), HasSubstr(footprint));
+    EXPECT_THAT(text(mirror + map), Not(HasSubstr(shadows)));
+    EXPECT_THAT(text(shadow + mirror), HasSubstr(shadows));
     for (const std::string& without : {map, mirror, shadow + mirror, shadow + map})
-        EXPECT_THAT(files(without), Not(Contains(rough))) << without;
-    EXPECT_THAT(files(shadow + map), Not(Contains(shadows)));
+        EXPECT_THAT(text(without), Not(HasSubstr(rough))) << without;
+    EXPECT_THAT(text(shadow + map), Not(HasSubstr(shadows)));
 }
 
 // They change what rays run through, and are in no shader of a scene without them.

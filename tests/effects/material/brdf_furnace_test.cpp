@@ -114,7 +114,7 @@ template<typename T, std::size_t n> std::vector<T> some_of(const T (&values)[n])
 }
 
 Extremes ggx_furnace(const glm::vec3& albedo, float metallic, float specular) {
-    const BrdfOnGpu reflected("brdf_ggx.glsl");
+    const BrdfOnGpu reflected("ggx");
     Extremes all;
     for (const float roughness : some_of(roughnesses)) {
         for (const double degrees : some_of(angles)) {
@@ -132,7 +132,7 @@ ISOMOTION_ON_EVERY_BACKEND(BrdfFurnace);
 
 // The quadrature itself, where the integral is known.
 TEST_P(BrdfFurnace, AMattWhiteSurfaceSendsBackWhatCame) {
-    const BrdfOnGpu reflected("brdf_lambert.glsl");
+    const BrdfOnGpu reflected("lambert");
     for (const double alpha : {0.0025, 0.1, 1.0}) {
         for (const double degrees : angles) {
             EXPECT_NEAR(furnace(reflected, {glm::vec3(1), glm::vec4(0)}, degrees, alpha), 1, 5e-4);
@@ -140,15 +140,13 @@ TEST_P(BrdfFurnace, AMattWhiteSurfaceSendsBackWhatCame) {
     }
 }
 
-// The functions fitted to them are as near as brdf_ggx.glsl says.
+// The functions fitted to them are as near as effects/material.glsl says.
 TEST_P(BrdfFurnace, WhatFacetsLoseAtFirstAndTheirRim) {
     const std::string once = ", normal, to_viewer, to_light, dot(normal, to_viewer), dot(normal, "
                              "to_light)) * dot(normal, to_light)";
-    const BrdfOnGpu white("brdf_ggx.glsl",
-                          "single_scattering(Specular(vec3(1), vec3(1), vec3(0))" + once);
-    const BrdfOnGpu rim("brdf_ggx.glsl",
-                        "single_scattering(Specular(vec3(0), vec3(1), vec3(0))" + once);
-    const BrdfOnGpu fitted("brdf_ggx.glsl", "vec3(lost_and_rim(dot(normal, to_viewer)), 0.0)");
+    const BrdfOnGpu white("ggx", "single_scattering(Specular(vec3(1), vec3(1), vec3(0))" + once);
+    const BrdfOnGpu rim("ggx", "single_scattering(Specular(vec3(0), vec3(1), vec3(0))" + once);
+    const BrdfOnGpu fitted("ggx", "vec3(lost_and_rim(dot(normal, to_viewer)), 0.0)");
     for (const float roughness : roughnesses) {
         const double alpha = double(roughness) * double(roughness);
         const Gloss gloss{glm::vec3(1), {roughness, 1, 0, 0}};
@@ -192,7 +190,7 @@ TEST_P(BrdfFurnace, BlackIsTheHighlightAlone) {
 }
 
 TEST_P(BrdfFurnace, BlinnPhongMakesNothing) {
-    const BrdfOnGpu reflected("brdf_blinn_phong.glsl");
+    const BrdfOnGpu reflected("blinn-phong");
     for (const float shininess : {0.0f, 1.0f, 5.0f, 20.0f, 100.0f, 1000.0f, 10'000.0f}) {
         const double alpha = std::sqrt(2 / (double(shininess) + 2)); // as wide a highlight
         for (const float specular : {0.2f, 1.0f}) {

@@ -13,10 +13,12 @@ namespace {
 
 constexpr int width = 256;
 
-std::string shader(const std::string& file, const std::string& call) {
+std::string shader(const std::string& model, const std::string& call) {
     shader::ShaderText text;
     for (const std::string& kernel : shader::kernel_files({"pow"})) text.file(kernel);
-    text.file("effects/" + file);
+    if (model == "ggx") text.define(shader::Feature::ggx);
+    if (model == "blinn-phong") text.define(shader::Feature::blinn_phong);
+    text.file("effects/material.glsl");
     text.generated("a place a pixel", R"(
 uniform sampler2D normals, viewers, lights;
 uniform vec3 albedo;
@@ -44,8 +46,8 @@ gpu::Texture texture_of(const std::vector<Geometry>& places, int height,
 
 } // namespace
 
-BrdfOnGpu::BrdfOnGpu(const std::string& file, const std::string& call)
-    : program_(gpu::fullscreen_vertex, shader(file, call), file) {}
+BrdfOnGpu::BrdfOnGpu(const std::string& model, const std::string& call)
+    : program_(gpu::fullscreen_vertex, shader(model, call), model) {}
 
 std::vector<glm::vec3> BrdfOnGpu::operator()(const Gloss& gloss,
                                              const std::vector<Geometry>& places) const {

@@ -1,4 +1,4 @@
-// Runs shaders/effects/brdf_*.glsl on the GPU.
+// Runs shaders/effects/material.glsl on the GPU.
 #pragma once
 
 #include <string>
@@ -23,7 +23,7 @@ struct Gloss {
 class BrdfOnGpu {
 public:
     // `call` is a vec3 in GLSL of albedo, normal, to_viewer and to_light.
-    explicit BrdfOnGpu(const std::string& file,
+    explicit BrdfOnGpu(const std::string& model,
                        const std::string& call = "reflected(albedo, normal, to_viewer, to_light)");
 
     std::vector<glm::vec3> operator()(const Gloss& gloss,

@@ -21,15 +21,15 @@ struct Model {
 
 const std::vector<Model>& models() {
     static const std::vector<Model> all = {
-        {"brdf_lambert.glsl", {glm::vec4(0)}},
-        {"brdf_blinn_phong.glsl",
+        {"lambert", {glm::vec4(0)}},
+        {"blinn-phong",
          {{0, 0, 0, 0},
           {0, 1, 0, 0},
           {1, 0.5, 0, 0},
           {50, 0.2, 0, 0},
           {1e4, 1, 0, 0},
           {-3, 7, 0, 0}}},
-        {"brdf_ggx.glsl",
+        {"ggx",
          {{0, 0, 0, 0},
           {0, 1, 0, 0},
           {0, 0, 1, 0},
@@ -183,7 +183,7 @@ void expect_formula(const BrdfOnGpu& on_gpu, const Gloss& gloss, double relative
 }
 
 TEST_P(Brdf, LambertIsTheCosine) {
-    const BrdfOnGpu on_gpu("brdf_lambert.glsl");
+    const BrdfOnGpu on_gpu("lambert");
     const glm::vec3 albedo(0.8f, 0.3f, 2);
     expect_formula(on_gpu, {albedo, glm::vec4(0)}, 1e-5,
                    [&](const glm::dvec3& n, const glm::dvec3&, const glm::dvec3& l) {
@@ -192,7 +192,7 @@ TEST_P(Brdf, LambertIsTheCosine) {
 }
 
 TEST_P(Brdf, BlinnPhongIsItsFormula) {
-    const BrdfOnGpu on_gpu("brdf_blinn_phong.glsl");
+    const BrdfOnGpu on_gpu("blinn-phong");
     const glm::vec3 albedo(0.8f, 0.3f, 0);
     for (const float s : {0.0f, 1.0f, 50.0f, 1000.0f}) {
         const double specular = 0.25;
@@ -211,8 +211,8 @@ TEST_P(Brdf, BlinnPhongIsItsFormula) {
 // Walter et al. 2007 and Heitz 2014, as they write it.
 TEST_P(Brdf, FacetsReflectOnceByTheirFormula) {
     const BrdfOnGpu on_gpu(
-        "brdf_ggx.glsl", "single_scattering(specular_of(albedo, 0.0), normal, to_viewer, to_light, "
-                         "dot(normal, to_viewer), dot(normal, to_light))");
+        "ggx", "single_scattering(specular_of(albedo, 0.0), normal, to_viewer, to_light, "
+               "dot(normal, to_viewer), dot(normal, to_light))");
     const glm::vec3 albedo(0.9f, 0.6f, 0.3f);
     for (const float roughness : {0.0f, 0.05f, 0.2f, 0.5f, 1.0f}) {
         const double a = std::pow(std::max(double(roughness), 0.045), 2);
@@ -239,7 +239,7 @@ TEST_P(Brdf, FacetsReflectOnceByTheirFormula) {
 
 // Schlick's term itself, where the surface is smooth.
 TEST_P(Brdf, ASmoothMirrorShowsSchlicksPart) {
-    const BrdfOnGpu on_gpu("brdf_ggx.glsl", "mirror_weight(albedo, normal, to_viewer)");
+    const BrdfOnGpu on_gpu("ggx", "mirror_weight(albedo, normal, to_viewer)");
     const glm::vec3 albedo(0.9f, 0.6f, 0.3f);
     for (const float metallic : {0.0f, 1.0f}) {
         std::vector<Geometry> places;
@@ -266,9 +266,9 @@ TEST_P(Brdf, NothingSpecularIsLambert) {
         places.push_back({directions.anywhere(), directions.anywhere(), directions.anywhere()});
     }
     const glm::vec3 albedo(0.8f, 0.3f, 0.1f);
-    const auto matt = BrdfOnGpu("brdf_lambert.glsl")({albedo, glm::vec4(0)}, places);
-    const auto phong = BrdfOnGpu("brdf_blinn_phong.glsl")({albedo, {50, 0, 0, 0}}, places);
-    const auto ggx = BrdfOnGpu("brdf_ggx.glsl")({albedo, {0.3f, 0, 0, 0}}, places);
+    const auto matt = BrdfOnGpu("lambert")({albedo, glm::vec4(0)}, places);
+    const auto phong = BrdfOnGpu("blinn-phong")({albedo, {50, 0, 0, 0}}, places);
+    const auto ggx = BrdfOnGpu("ggx")({albedo, {0.3f, 0, 0, 0}}, places);
     for (std::size_t k = 0; k < places.size(); ++k) {
         for (int c = 0; c < 3; ++c) {
             EXPECT_NEAR(phong[k][c], matt[k][c], 1e-6);

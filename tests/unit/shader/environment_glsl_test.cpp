@@ -5,6 +5,7 @@
 #include <cstdlib>
 #include <cstring>
 #include <numbers>
+#include <optional>
 #include <random>
 #include <span>
 
@@ -97,12 +98,14 @@ glm::dvec3 in_map(const Placed& placed, const glm::vec3& d) {
             glm::dot(glm::dvec3(placed.top), glm::dvec3(d))};
 }
 
-std::string probe_shader(const std::vector<std::string>& effects) {
+std::string probe_shader(std::optional<Feature> sky) {
     ShaderText text;
     text.define(Feature::lights, 1);
     text.file("shade/shading.glsl");
     for (const auto& file : kernel_files({"atan"})) text.file(file);
-    for (const auto& file : effects) text.file("effects/" + file);
+    if (sky) text.define(*sky);
+    text.file("effects/environment.glsl");
+    text.file("effects/sky.glsl");
     text.generated("a direction a pixel", R"(
 uniform sampler2D directions;
 layout(location = 0) out vec4 color;
@@ -135,8 +138,7 @@ std::vector<glm::vec4> draw(const gpu::Program& program, const std::vector<glm::
 
 std::vector<glm::vec4> look(const Map& map, const std::vector<glm::vec3>& directions,
                             const Placed& placed = {}) {
-    static constexpr const char* files[] = {"environment.glsl", "sky_environment.glsl"};
-    const gpu::Program program(gpu::fullscreen_vertex, probe_shader({files[0], files[1]}),
+    const gpu::Program program(gpu::fullscreen_vertex, probe_shader(Feature::sky_environment),
                                "environment");
     const gpu::Texture texture = map.on_gpu();
     texture.bind(0);
@@ -306,9 +308,9 @@ std::array<glm::vec4, 9> shading(const glm::mat4& to_world) {
             glm::vec4(0)};
 }
 
-std::vector<glm::vec4> look_at_sky(const char* sky, const glm::mat4& to_world,
+std::vector<glm::vec4> look_at_sky(std::optional<Feature> sky, const glm::mat4& to_world,
                                    const std::vector<glm::vec3>& directions) {
-    const gpu::Program program(gpu::fullscreen_vertex, probe_shader({sky}), sky);
+    const gpu::Program program(gpu::fullscreen_vertex, probe_shader(sky), "sky");
     const auto values = shading(to_world);
     gpu::UniformBuffer block(sizeof(values));
     block.update(std::as_bytes(std::span(values)));
@@ -320,7 +322,7 @@ std::vector<glm::vec4> look_at_sky(const char* sky, const glm::mat4& to_world,
 }
 
 TEST_P(EnvironmentGlsl, AFlatSkyIsTheBackgroundWithItsCoverage) {
-    for (const auto& color : look_at_sky("sky_flat.glsl", glm::mat4(1), {{1, 0, 0}, {0, 0, -1}}))
+    for (const auto& color : look_at_sky({}, glm::mat4(1), {{1, 0, 0}, {0, 0, -1}}))
         EXPECT_EQ(color, glm::vec4(0.25, 0.5, 0.75, 0.125));
 }
 
@@ -331,7 +333,7 @@ TEST_P(EnvironmentGlsl, AGradientFollowsTheWorldHoweverTheSurfaceLies) {
     const std::vector<glm::vec3> up{{0, 1, 0}, {0, -1, 0}, {1, 0, 0}, {0, 0, 1}, {0.6f, 0.8f, 0}};
     const glm::vec4 expected[] = {
         {4, 2, 1, 1}, {0, 1, 1, 1}, {2, 1.5, 1, 1}, {2, 1.5, 1, 1}, {3.6, 1.9, 1, 1}};
-    const auto seen = look_at_sky("sky_gradient.glsl", lying, up);
+    const auto seen = look_at_sky(Feature::sky_gradient, lying, up);
     for (std::size_t k = 0; k < up.size(); ++k)
         for (int c = 0; c < 4; ++c) EXPECT_NEAR(seen[k][c], expected[k][c], 1e-6) << k;
 }

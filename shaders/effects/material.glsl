@@ -1,5 +1,12 @@
-// Microfacet materials, from plastic to metal. Needs no other file. brdf_lambert.glsl describes the
-// two functions.
+// How a material reflects light: reflected() and mirror_weight(), for each model.
+//
+// Directions are unit vectors away from the surface. Colours of lights are irradiance / pi, so
+// `reflected` is pi * brdf * cosine: the light to the viewer, in units of the light's colour. It is
+// finite and not negative for any directions, and 0 for a light below the horizon. `mirror_weight`
+// is the share of a mirror's image that the material shows, 0..1.
+
+#if defined(GGX)
+// Microfacet materials, from plastic to metal.
 //
 // The highlight is Cook and Torrance's, with GGX at alpha = roughness^2, Smith's height-correlated
 // masking (Heitz 2014) and Schlick's Fresnel term. Light that facets pass on to other facets comes
@@ -149,3 +156,49 @@ vec3 mirror_weight(vec3 albedo, vec3 normal, vec3 to_viewer) {
     float nv = clamp(dot(normal, to_viewer), 0.0, 1.0);
     return clamp(share(highlight, lost_and_rim(nv)), 0.0, 1.0);
 }
+#elif defined(BLINN_PHONG)
+// Blinn-Phong, normalised: a white highlight on a matt surface. Needs math/pow.glsl and the files
+// that it needs.
+//
+// The highlight is pi * brdf = specular * N * (n.h)^shininess, with
+// N = (s + 2)(s + 4) / (8 (s + 2^(-s/2))). So a white highlight (specular 1) reflects all light to
+// a viewer straight above, and less to any other. The matt part gets the light that the highlight
+// leaves. So no more light comes back than came, and light and viewer may be exchanged.
+
+uniform vec4 gloss; // shininess s >= 0, specular 0..1
+
+vec3 reflected(vec3 albedo, vec3 normal, vec3 to_viewer, vec3 to_light) {
+    float cosine = dot(normal, to_light);
+    if (!(cosine > 0.0)) return vec3(0.0);
+    float shininess = max(gloss.x, 0.0);
+    float specular = clamp(gloss.y, 0.0, 1.0);
+    // The half vector is not normalised: (n.h)^2 is a quotient of squares, 0 for a zero vector.
+    vec3 between = to_viewer + to_light;
+    float along = max(dot(normal, between), 0.0);
+    float square = min(along * along / max(dot(between, between), 1.0e-12), 1.0);
+    float normalisation = (shininess + 2.0) * (shininess + 4.0) /
+                          (8.0 * (shininess + im_exp(-0.346573590 * shininess)));
+    float highlight = specular * normalisation * im_pow(square, 0.5 * shininess);
+    return (clamp(albedo, 0.0, 1.0) * (1.0 - specular) + highlight) * cosine;
+}
+
+// Schlick's Fresnel term, from `specular` straight on to 1 at grazing angles. Below 2 % of specular
+// the rim fades; at 0 the material is matt from every side.
+vec3 mirror_weight(vec3 albedo, vec3 normal, vec3 to_viewer) {
+    float specular = clamp(gloss.y, 0.0, 1.0);
+    float off = 1.0 - clamp(dot(normal, to_viewer), 0.0, 1.0);
+    float off2 = off * off;
+    return vec3(mix(specular, min(50.0 * specular, 1.0), off2 * off2 * off));
+}
+#else
+// A matt surface, which reflects equally to every side.
+vec3 reflected(vec3 albedo, vec3 normal, vec3 to_viewer, vec3 to_light) {
+    return albedo * max(dot(normal, to_light), 0.0);
+}
+
+// The share that a clear coat mirrors (Schlick).
+vec3 mirror_weight(vec3 albedo, vec3 normal, vec3 to_viewer) {
+    float c = 1.0 - clamp(dot(normal, to_viewer), 0.0, 1.0);
+    return vec3(0.04 + 0.96 * c * c * c * c * c);
+}
+#endif

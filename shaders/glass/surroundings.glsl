@@ -1,4 +1,30 @@
-// Ends paths. Needs path.glsl, ground_ahead() and behind().
+// What paths see beside the surfaces. Needs path.glsl, ground.glsl and effects/sky.glsl.
+
+// Far away, as mirrors show it: the map also where another background is seen.
+vec3 around(vec3 direction) {
+#ifdef ENVIRONMENT
+    return environment(direction);
+#else
+    return sky(direction).rgb;
+#endif
+}
+
+// Far away, behind glass.
+vec3 behind(vec3 direction) {
+#ifdef TRANSPARENT
+    return around(direction);
+#else
+    return sky(direction).rgb;
+#endif
+}
+
+vec3 seen_around(vec3 position, vec3 direction) {
+#ifdef GROUND
+    float way = ground_ahead(position, direction);
+    if (way > 0.0) return ground_light(position + way * direction, ground_normal(direction));
+#endif
+    return around(direction);
+}
 
 // Ends a path whose ray meets no surface: on the ground, or with the light from behind.
 Path see_behind(Path path) {

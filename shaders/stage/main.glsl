@@ -1,3 +1,4 @@
+#ifdef BEAM_BOXES
 #ifdef COMPUTE
 // Work groups extend over the upper and right edges of the blocks.
 uniform ivec4 blocks; // the first one's place, and how many there are
@@ -14,4 +15,19 @@ void main() {
 void main() {
     follow_beam(beam_block(ivec2(pixel_centre), SQUARE_BITS));
 }
+#endif
+#else
+#ifdef COMPUTE
+// Work groups extend over the tile's upper and right edges.
+uniform ivec2 tile_size;
+
+void main() {
+    if (all(lessThan(ivec2(pixel_centre), tile_size))) march_pixel();
+}
+#else
+// The viewport is the tile.
+void main() {
+    march_pixel();
+}
+#endif
 #endif

@@ -1,3 +1,0 @@
-float ground_ahead(vec3 position, vec3 direction) {
-    return -1.0;
-}
