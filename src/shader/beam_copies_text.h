@@ -12,13 +12,13 @@ namespace isomotion::shader {
 int masks_of_level(const FieldStorage& storage, const BeamLevel& level);
 
 // Rows of the texture of copies that the lists of a row of blocks take, 16 columns a list.
-int rows_of_copies(const Passes& passes, int level);
+int rows_of_copies(const PassPlan& plan, int level);
 
 // Whether the lists of a tile fit into a texture of which WebGL2 promises so many rows: where
 // elements have many fields they don't.
 inline constexpr int most_rows_of_copies = 2048;
 inline constexpr int tile_of_copies = 512; // pixels along the largest
-bool copies_fit(const Passes& passes);
+bool copies_fit(const PassPlan& plan);
 
 // The storage for shaders that go through copies: where there are none, the same.
 FieldStorage through_copies(const FieldStorage& storage);
@@ -29,12 +29,12 @@ FieldStorage storage_at_level(const FieldStorage& storage, int level);
 void add_masks(ShaderText& text, const FieldStorage& storage);
 
 // Adds what the beams of a later level read.
-void add_copies_of_parent(ShaderText& text, const Passes& passes, int level);
+void add_copies_of_parent(ShaderText& text, const PassPlan& plan, int level);
 
 // Adds what rays read.
-void add_copies_of_ray(ShaderText& text, const Passes& passes);
+void add_copies_of_ray(ShaderText& text, const PassPlan& plan);
 
 // Copies the elements that the bits of a level tell.
-Pass beam_copies_pass(const scene::OneSurface& one, const Passes& passes, int level);
+Pass beam_copies_pass(const scene::OneSurface& one, const PassPlan& plan, int level);
 
 } // namespace isomotion::shader

@@ -44,13 +44,13 @@ void add_bounds_of_sum(ShaderText& text, const formula::Field& field, const Fiel
 }
 
 // Adds boxes around pieces of beams, within those of `parent` if it is not null.
-void add_boxes(ShaderText& text, const scene::OneSurface& one, const Passes& passes,
+void add_boxes(ShaderText& text, const scene::OneSurface& one, const PassPlan& plan,
                const BeamLevel* parent) {
     text.generated("generated: least and most tau, the shortest piece; rounding, a length",
                    "uniform vec4 beam;\n");
     define_bounds(text, one);
-    if (parent && has_copies(passes))
-        add_copies_of_parent(text, passes, int(parent - passes.beams.data()) + 1);
+    if (parent && has_copies(plan))
+        add_copies_of_parent(text, plan, int(parent - plan.beams.data()) + 1);
     if (parent) define_parent(text, *parent);
     if (parent) text.file("march/part_of_beam.glsl");
     text.file("march/beam_of_block.glsl");
@@ -97,35 +97,34 @@ void declare_results(ShaderText& text, Stage stage, std::span<const std::string_
     text.generated("generated: what a beam's shader finds", declared);
 }
 
-Pass beam_pass_by_intervals(const scene::OneSurface& one, const Passes& passes, int level) {
+Pass beam_pass_by_intervals(const scene::OneSurface& one, const PassPlan& plan, int level) {
     const formula::Field& field = *one.surface.field;
-    const BeamLevel& beam = passes.beams[std::size_t(level)];
+    const BeamLevel& beam = plan.beams[std::size_t(level)];
     // The beams that these lie in.
     const BeamLevel* parent = level > 0 ? &beam - 1 : nullptr;
-    ShaderText text(passes.stage);
+    ShaderText text(plan.stage);
     const bool makes_lists = beam.lists != BeamLists::none;
-    const bool writes_buffer = makes_lists && !has_copies(passes);
+    const bool writes_buffer = makes_lists && !has_copies(plan);
     constexpr std::array<std::string_view, 3> results{"part", "lists", "list_of_all"};
     text.define(Feature::beam_boxes);
-    declare_results(text, passes.stage,
-                    std::span(results).first(std::size_t(writes_buffer ? 3 : 1)));
+    declare_results(text, plan.stage, std::span(results).first(std::size_t(writes_buffer ? 3 : 1)));
     if (writes_buffer) text.version(430);
     define_blocks(text, beam);
     text.define(Feature::both_ends, int(beam.lists == BeamLists::whole));
-    if (has_lists(passes)) {
+    if (has_lists(plan)) {
         text.define(Feature::lists);
         text.define(Feature::left_out, parts_left_out);
-        add_bounds_of_sum(text, field, storage_at_level(passes, level));
+        add_bounds_of_sum(text, field, storage_at_level(plan, level));
     } else {
-        add_field(text, field, passes, {FieldFunction::value_interval});
+        add_field(text, field, plan, {FieldFunction::value_interval});
     }
-    if (array_with_grid(passes)) text.define(Feature::grid);
+    if (array_with_grid(plan)) text.define(Feature::grid);
     if (makes_lists) {
         const bool whole = beam.lists == BeamLists::whole;
         text.define(Feature::front, fmt::format("{:#.3}", beam.front));
         text.define(Feature::list_of_all, int(whole));
         text.define(Feature::lists_of_a_block, lists_of_a_block(beam));
-        text.define(Feature::texels, passes.arrays[0].texels);
+        text.define(Feature::texels, plan.arrays[0].texels);
         const int pieces = pieces_of(beam);
         text.define(Feature::pieces, pieces);
         text.define(Feature::front_pieces, whole ? int(std::lround(beam.front * pieces)) : pieces);
@@ -135,10 +134,10 @@ Pass beam_pass_by_intervals(const scene::OneSurface& one, const Passes& passes, 
         if (writes_buffer)
             text.file("march/write_lists.glsl");
         else
-            add_masks(text, passes);
+            add_masks(text, plan);
     }
     text.file("frame.glsl");
-    add_boxes(text, one, passes, parent);
+    add_boxes(text, one, plan, parent);
     add_sections(text, one.scene);
     if (makes_lists) text.file("march/beam_list.glsl");
     text.file("march/beam_by_intervals.glsl");
@@ -148,17 +147,17 @@ Pass beam_pass_by_intervals(const scene::OneSurface& one, const Passes& passes, 
     return pass;
 }
 
-Pass beam_pass_by_models(const scene::OneSurface& one, const Passes& passes, int level) {
-    const BeamLevel& beam = passes.beams[std::size_t(level)];
-    ShaderText text(passes.stage);
+Pass beam_pass_by_models(const scene::OneSurface& one, const PassPlan& plan, int level) {
+    const BeamLevel& beam = plan.beams[std::size_t(level)];
+    ShaderText text(plan.stage);
     text.define(Feature::beam_boxes);
-    declare_results(text, passes.stage, std::array<std::string_view, 2>{"part", "roots"});
+    declare_results(text, plan.stage, std::array<std::string_view, 2>{"part", "roots"});
     define_blocks(text, beam);
     if (one.surface.isolation.certify) text.define(Feature::both_ends);
-    add_enclosures(text, *one.surface.field, passes, {});
+    add_enclosures(text, *one.surface.field, plan, {});
     add_piece_models(text, *one.surface.field, "models/block.glsl");
     text.file("frame.glsl");
-    add_boxes(text, one, passes, level > 0 ? &beam - 1 : nullptr);
+    add_boxes(text, one, plan, level > 0 ? &beam - 1 : nullptr);
     text.file("models/piece_of_block.glsl");
     text.define(Feature::bounds_rounding, "beam.w");
     add_inside_bounds(text, one);
@@ -191,9 +190,9 @@ bool uses_beams(const scene::OneSurface& one) {
         one.surface.isolation.method == scene::Method::hermite && bounds_pay(*one.surface.field));
 }
 
-Pass beam_pass(const scene::OneSurface& one, const Passes& passes, int level) {
-    if (passes.beams[std::size_t(level)].by_models) return beam_pass_by_models(one, passes, level);
-    return beam_pass_by_intervals(one, passes, level);
+Pass beam_pass(const scene::OneSurface& one, const PassPlan& plan, int level) {
+    if (plan.beams[std::size_t(level)].by_models) return beam_pass_by_models(one, plan, level);
+    return beam_pass_by_intervals(one, plan, level);
 }
 
 bool can_settle_blocks(const scene::OneSurface& one, int finest) {
@@ -206,8 +205,8 @@ bool can_settle_blocks(const scene::OneSurface& one, int finest) {
            one.is_alone() && degree > 0 && degree <= most && finest > 1;
 }
 
-bool lies_in_beams(const Passes& passes, int block) {
-    return !passes.beams.empty() && passes.beams.back().block >= block;
+bool lies_in_beams(const PassPlan& plan, int block) {
+    return !plan.beams.empty() && plan.beams.back().block >= block;
 }
 
 void define_parent(ShaderText& text, const BeamLevel& parent) {
@@ -216,28 +215,28 @@ void define_parent(ShaderText& text, const BeamLevel& parent) {
     text.define(Feature::parent_square_bits, parent.square_bits);
 }
 
-void add_beam_of_block(ShaderText& text, const scene::OneSurface& one, const Passes& passes,
+void add_beam_of_block(ShaderText& text, const scene::OneSurface& one, const PassPlan& plan,
                        int block) {
-    add_boxes(text, one, passes, lies_in_beams(passes, block) ? &passes.beams.back() : nullptr);
+    add_boxes(text, one, plan, lies_in_beams(plan, block) ? &plan.beams.back() : nullptr);
 }
 
-void add_light_beams(ShaderText& text, const Passes& passes) {
-    define_blocks(text, passes.beams.back());
-    if (has_lists(passes)) text.file("march/choose_list.glsl");
+void add_light_beams(ShaderText& text, const PassPlan& plan) {
+    define_blocks(text, plan.beams.back());
+    if (has_lists(plan)) text.file("march/choose_list.glsl");
     text.file("effects/light_beam.glsl");
 }
 
-void add_entrance(ShaderText& text, const Passes& passes, bool by_beams) {
-    if (by_beams) define_blocks(text, passes.beams.back());
-    if (by_beams && has_lists(passes)) {
+void add_entrance(ShaderText& text, const PassPlan& plan, bool by_beams) {
+    if (by_beams) define_blocks(text, plan.beams.back());
+    if (by_beams && has_lists(plan)) {
         text.file("march/choose_list.glsl");
-        if (has_copies(passes)) add_copies_of_ray(text, passes);
+        if (has_copies(plan)) add_copies_of_ray(text, plan);
     }
     add_entrance_file(text, by_beams);
 }
 
-void add_way(ShaderText& text, const Passes& passes, bool by_beams) {
-    if (by_beams) define_blocks(text, passes.beams.back());
+void add_way(ShaderText& text, const PassPlan& plan, bool by_beams) {
+    if (by_beams) define_blocks(text, plan.beams.back());
     add_entrance_file(text, by_beams);
 }
 

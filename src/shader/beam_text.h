@@ -22,35 +22,35 @@ void define_blocks(ShaderText& text, const BeamLevel& beam);
 bool can_settle_blocks(const scene::OneSurface& one, int finest);
 
 // Whether the last level does.
-inline bool settles_blocks(const Passes& passes) {
-    return !passes.beams.empty() && passes.beams.back().by_models;
+inline bool settles_blocks(const PassPlan& plan) {
+    return !plan.beams.empty() && plan.beams.back().by_models;
 }
 
 // The levels of beams; the smallest have 8 pixels or 1.
 std::vector<BeamLevel> beam_levels(const FieldStorage& storage, int finest);
 // The one that settles blocks, in those of intervals where there are some.
 BeamLevel level_by_models(int finest);
-Pass beam_pass(const scene::OneSurface& one, const Passes& passes, int level);
+Pass beam_pass(const scene::OneSurface& one, const PassPlan& plan, int level);
 
 // Adds the code that determines where rays begin and end: by the last level of beams, or at the
 // bounds. Call it after the ray's own text.
-void add_entrance(ShaderText& text, const Passes& passes, bool by_beams);
+void add_entrance(ShaderText& text, const PassPlan& plan, bool by_beams);
 
 // The same without lists.
-void add_way(ShaderText& text, const Passes& passes, bool by_beams);
+void add_way(ShaderText& text, const PassPlan& plan, bool by_beams);
 
 // Whether blocks of `block` pixels lie in the beams of the last level.
-bool lies_in_beams(const Passes& passes, int block);
+bool lies_in_beams(const PassPlan& plan, int block);
 
 // Defines where those that lie in beams of this level find them.
 void define_parent(ShaderText& text, const BeamLevel& parent);
 
 // Adds boxes around the beams of blocks of `block` pixels, which lie in those of the last level.
-void add_beam_of_block(ShaderText& text, const scene::OneSurface& one, const Passes& passes,
+void add_beam_of_block(ShaderText& text, const scene::OneSurface& one, const PassPlan& plan,
                        int block);
 
 // Adds the code that determines where shadow rays begin, by the last level of beams from the
 // lights: shaders/effects/light_beam.glsl.
-void add_light_beams(ShaderText& text, const Passes& passes);
+void add_light_beams(ShaderText& text, const PassPlan& plan);
 
 } // namespace isomotion::shader

@@ -30,11 +30,11 @@ void add_way_through(ShaderText& text, const scene::Scene& scene) {
     text.file("glass/through.glsl");
 }
 
-Pass first_pass(const scene::OneSurface& one, const Passes& passes) {
+Pass first_pass(const scene::OneSurface& one, const PassPlan& plan) {
     ShaderText text;
     text.define(Feature::stores_paths);
     text.define(Feature::lights, int(one.scene.lights.size()));
-    add_field(text, *one.surface.field, passes, {FieldFunction::value});
+    add_field(text, *one.surface.field, plan, {FieldFunction::value});
     add_ray(text, one);
     text.file("shade/shading.glsl");
     text.file("effects/surface_point.glsl");
@@ -51,17 +51,17 @@ Pass first_pass(const scene::OneSurface& one, const Passes& passes) {
     return std::move(text).pass(Role::glass_first, "glass first", When::once_a_tile);
 }
 
-Pass next_pass(const scene::OneSurface& one, const Passes& passes) {
+Pass next_pass(const scene::OneSurface& one, const PassPlan& plan) {
     ShaderText text;
     text.define(Feature::stores_paths);
     text.define(Feature::lights, int(one.scene.lights.size()));
     std::vector<FieldFunction> functions{FieldFunction::value};
-    if (!passes.march_takes_gradient) functions.push_back(FieldFunction::gradient);
-    add_field(text, *one.surface.field, passes, functions);
+    if (!plan.march_takes_gradient) functions.push_back(FieldFunction::gradient);
+    add_field(text, *one.surface.field, plan, functions);
     add_ray(text, one, Origin::glass);
     text.file("shade/shading.glsl");
     text.file("effects/surface_point.glsl");
-    add_gradient(text, passes);
+    add_gradient(text, plan);
     add_way_through(text, one.scene);
     text.file("glass/next.frag");
     return std::move(text).pass(Role::glass_next, "glass next", When::until_rays_end);
@@ -151,11 +151,11 @@ Pass pass_over_paths(ShaderText text, Role role, const char* name, const char* f
     return std::move(text).pass(role, name, When::until_rays_end, cover);
 }
 
-std::vector<Pass> glass_passes(const scene::OneSurface& one, const Passes& passes) {
+std::vector<Pass> glass_passes(const scene::OneSurface& one, const PassPlan& plan) {
     std::vector<Pass> all;
-    all.push_back(first_pass(one, passes));
-    all.push_back(march_pass(one, passes, Origin::glass, When::until_rays_end));
-    all.push_back(next_pass(one, passes));
+    all.push_back(first_pass(one, plan));
+    all.push_back(march_pass(one, plan, Origin::glass, When::until_rays_end));
+    all.push_back(next_pass(one, plan));
     all.push_back(path_pass(Role::glass_copy, "glass copy", "glass/copy.frag"));
     all.push_back(path_pass(Role::glass_mask, "glass mask", "glass/mask.frag"));
     all.push_back(path_pass(Role::glass_active, "glass active", "glass/mask.frag"));

@@ -40,6 +40,6 @@ Pass pass_over_paths(ShaderText text, Role role, const char* name, const char* f
                      Cover cover = {});
 
 // The passes of glass besides its march, in the order in which a tile runs them.
-std::vector<Pass> glass_passes(const scene::OneSurface& one, const Passes& passes);
+std::vector<Pass> glass_passes(const scene::OneSurface& one, const PassPlan& plan);
 
 } // namespace isomotion::shader

@@ -33,16 +33,16 @@ bool judges_touches(const scene::OneSurface& one) {
 
 // The boxes in which bounds look whether F touches 0: as many as a third of a draw's loops may run
 // tapes for (render/scene_plan.cpp).
-int tries_of_a_touch(const Passes& passes) {
+int tries_of_a_touch(const PassPlan& plan) {
     constexpr double most = 64, third = loop_iterations_per_pass / 3;
-    if (!passes.tapes) return int(most);
-    const double each = passes.tapes->cost({FieldFunction::value_interval}).iterations;
+    if (!plan.tapes) return int(most);
+    const double each = plan.tapes->cost({FieldFunction::value_interval}).iterations;
     return int(std::clamp(third / each, 1.0, most));
 }
 
 // The paper's methods go all the way, as the paper has them.
-bool passes_free_cells(const scene::OneSurface& one, const Passes& passes) {
-    return (array_with_grid(passes) || (passes.tapes && passes.tapes->chooses())) &&
+bool passes_free_cells(const scene::OneSurface& one, const PassPlan& plan) {
+    return (array_with_grid(plan) || (plan.tapes && plan.tapes->chooses())) &&
            scene::traits(one.surface.isolation.method).steps == scene::Steps::cubics;
 }
 
@@ -53,9 +53,9 @@ void add_way_past(ShaderText& text) {
 }
 
 // What finds a root between two samples, or in a piece.
-void add_isolation(ShaderText& text, const scene::OneSurface& one, const Passes& passes) {
+void add_isolation(ShaderText& text, const scene::OneSurface& one, const PassPlan& plan) {
     const scene::MethodTraits& method = scene::traits(one.surface.isolation.method);
-    const bool directional = passes.samples.front() == FieldFunction::directional;
+    const bool directional = plan.samples.front() == FieldFunction::directional;
     const bool bounds = method.samples == scene::Samples::value_and_bounds;
     const bool is_rough = meets_rough_places(one);
     if (bounds) text.define(Feature::bounds_pieces);
@@ -63,7 +63,7 @@ void add_isolation(ShaderText& text, const scene::OneSurface& one, const Passes&
     if (bounds || is_rough || judges_touches(one)) text.file("march/pieces.glsl");
     if (!bounds) {
         if (directional) text.define(Feature::samples_slope);
-        if (passes.tapes && is_rough) define_signs_in_free_tapes(text, *passes.tapes);
+        if (plan.tapes && is_rough) define_signs_in_free_tapes(text, *plan.tapes);
         text.file("march/sample.glsl");
     }
     if (method.steps != scene::Steps::scene_step) return;
@@ -74,19 +74,19 @@ void add_isolation(ShaderText& text, const scene::OneSurface& one, const Passes&
 }
 
 // turn(), which takes a ray on by what one sample of the field tells.
-void add_turn(ShaderText& text, const scene::OneSurface& one, const Passes& passes) {
+void add_turn(ShaderText& text, const scene::OneSurface& one, const PassPlan& plan) {
     const scene::MethodTraits& method = scene::traits(one.surface.isolation.method);
     const bool is_rough = meets_rough_places(one);
     if (method.samples == scene::Samples::value_and_bounds || is_rough) {
-        const bool breaks = passes.samples.back() == FieldFunction::breaks;
+        const bool breaks = plan.samples.back() == FieldFunction::breaks;
         if (breaks) text.define(Feature::breaks);
         text.file("march/refine.glsl");
         if (breaks && one.surface.jumps_are_walls) text.define(Feature::walls);
         text.file(is_rough ? "march/rough.glsl" : "march/touches.glsl");
     }
-    if (passes.branches && method.steps == scene::Steps::cubics) text.define(Feature::branches);
+    if (plan.branches && method.steps == scene::Steps::cubics) text.define(Feature::branches);
     if (judges_touches(one)) {
-        text.define(Feature::most_tries, tries_of_a_touch(passes));
+        text.define(Feature::most_tries, tries_of_a_touch(plan));
         text.file("march/touch_by_bounds.glsl");
         text.define(Feature::bounded_touches);
         text.define(Feature::solves);
@@ -160,67 +160,67 @@ void define_bounds(ShaderText& text, const scene::OneSurface& one) {
     if (one.surface.bounds.shape == scene::Bounds::Shape::box) text.define(Feature::box);
 }
 
-void define_state(ShaderText& text, const Passes& passes) {
-    if (passes.state_textures == 3) text.define(Feature::three_samples);
+void define_state(ShaderText& text, const PassPlan& plan) {
+    if (plan.state_textures == 3) text.define(Feature::three_samples);
 }
 
 // Whether the first sample of a march tells the sign of F where the ray begins, and the last one
 // where it leaves: then caps take no sample of their own. Breaks and free cells leave other values
 // in a ray's state.
-bool samples_tell_caps(const scene::OneSurface& one, const Passes& passes) {
+bool samples_tell_caps(const scene::OneSurface& one, const PassPlan& plan) {
     const scene::MethodTraits& method = scene::traits(one.surface.isolation.method);
-    if (passes_free_cells(one, passes)) return false;
+    if (passes_free_cells(one, plan)) return false;
     if (method.samples == scene::Samples::value_and_bounds)
-        return passes.samples.back() != FieldFunction::breaks;
+        return plan.samples.back() != FieldFunction::breaks;
     return method.steps == scene::Steps::cubics && !meets_rough_places(one);
 }
 
 namespace {
 
-void add_ends_at_roots(ShaderText& text, const Passes& passes) {
-    if (passes.march_takes_gradient) text.define(Feature::march_takes_gradient);
+void add_ends_at_roots(ShaderText& text, const PassPlan& plan) {
+    if (plan.march_takes_gradient) text.define(Feature::march_takes_gradient);
     text.file("march/at_root.glsl");
 }
 
 } // namespace
 
-void add_march(ShaderText& text, const scene::OneSurface& one, const Passes& passes, Origin origin,
+void add_march(ShaderText& text, const scene::OneSurface& one, const PassPlan& plan, Origin origin,
                Draws draws) {
-    const bool beam = !passes.beams.empty() && origin == Origin::eye;
-    if (beam && has_lists(passes)) text.define(Feature::lists);
+    const bool beam = !plan.beams.empty() && origin == Origin::eye;
+    if (beam && has_lists(plan)) text.define(Feature::lists);
     add_ways(text, one, origin);
-    add_entrance(text, passes, beam);
-    add_isolation(text, one, passes);
-    add_ends_at_roots(text, passes);
-    if (beam && settles_blocks(passes) && draws == Draws::several) {
+    add_entrance(text, plan, beam);
+    add_isolation(text, one, plan);
+    add_ends_at_roots(text, plan);
+    if (beam && settles_blocks(plan) && draws == Draws::several) {
         text.define(Feature::settles);
         text.file("march/slab.glsl");
         text.file("march/settled.glsl");
     }
-    add_turn(text, one, passes);
-    if (array_with_grid(passes)) text.define(Feature::grid);
-    if (passes_free_cells(one, passes)) add_way_past(text);
-    add_march_of_parts(text, one, samples_tell_caps(one, passes));
+    add_turn(text, one, plan);
+    if (array_with_grid(plan)) text.define(Feature::grid);
+    if (passes_free_cells(one, plan)) add_way_past(text);
+    add_march_of_parts(text, one, samples_tell_caps(one, plan));
 }
 
-void add_settled_march(ShaderText& text, const Passes& passes) {
-    define_blocks(text, passes.beams.back());
+void add_settled_march(ShaderText& text, const PassPlan& plan) {
+    define_blocks(text, plan.beams.back());
     text.define(Feature::settled_rays);
     text.define(Feature::samples_slope);
     text.file("march/slab.glsl");
     text.file("march/sample.glsl");
-    add_ends_at_roots(text, passes);
+    add_ends_at_roots(text, plan);
     text.file("march/settled.glsl");
     text.file("march/turn.glsl");
     text.file("march/march.glsl");
 }
 
-Pass march_pass(const scene::OneSurface& one, const Passes& passes, Origin origin, When when) {
-    ShaderText text(passes.stage);
-    define_state(text, passes);
-    add_field(text, *one.surface.field, through_copies(passes), passes.samples);
+Pass march_pass(const scene::OneSurface& one, const PassPlan& plan, Origin origin, When when) {
+    ShaderText text(plan.stage);
+    define_state(text, plan);
+    add_field(text, *one.surface.field, through_copies(plan), plan.samples);
     add_ray(text, one, origin);
-    add_march(text, one, passes, origin);
+    add_march(text, one, plan, origin);
     text.file("march/store_state.glsl");
     text.file("march/march_pixel.glsl");
     text.file("stage/main.glsl");
@@ -243,32 +243,32 @@ Pass active_pass(When when) {
     return std::move(text).pass(Role::active, "active", when);
 }
 
-Pass shadow_pass(const scene::OneSurface& one, const Passes& passes) {
+Pass shadow_pass(const scene::OneSurface& one, const PassPlan& plan) {
     const scene::MethodTraits& method = scene::traits(one.surface.isolation.method);
-    ShaderText text(passes.stage);
-    define_state(text, passes);
+    ShaderText text(plan.stage);
+    define_state(text, plan);
     text.define(Feature::lights, int(one.scene.lights.size()));
     text.define(Feature::shadows, shadow_mask(one.scene));
-    if (passes.light_beams != 0) {
-        text.define(Feature::light_beams, passes.light_beams);
-        if (has_lists(passes)) text.define(Feature::lists);
+    if (plan.light_beams != 0) {
+        text.define(Feature::light_beams, plan.light_beams);
+        if (has_lists(plan)) text.define(Feature::lists);
     }
-    add_field(text, *one.surface.field, passes, passes.samples);
+    add_field(text, *one.surface.field, plan, plan.samples);
     add_ray(text, one);
-    add_isolation(text, one, passes);
+    add_isolation(text, one, plan);
     text.file("march/store_state.glsl");
     text.file("shade/shading.glsl");
     text.file("shade/hit.glsl");
     add_lights(text, one.scene);
     text.file("effects/surface_point.glsl");
     add_load_surface(text, one);
-    if (passes.light_beams != 0) add_light_beams(text, passes);
+    if (plan.light_beams != 0) add_light_beams(text, plan);
     if (method.steps != scene::Steps::scene_step) {
         text.file("march/at_root.glsl");
-        add_turn(text, one, passes);
+        add_turn(text, one, plan);
     }
-    if (array_with_grid(passes)) text.define(Feature::grid);
-    if (passes_free_cells(one, passes)) add_way_past(text);
+    if (array_with_grid(plan)) text.define(Feature::grid);
+    if (passes_free_cells(one, plan)) add_way_past(text);
     text.file("march/any_hit.glsl");
     add_crossings(text, one);
     text.file("effects/shadow.glsl");

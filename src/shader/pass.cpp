@@ -81,6 +81,7 @@ void note_declarations(Pass& pass) {
 }
 
 Passes without_fused_pass(Passes passes) {
+    passes.fuses = false;
     std::erase_if(passes.list, [](const Pass& pass) {
         return pass.role == Role::mask || pass.role == Role::fused || pass.role == Role::settled;
     });
@@ -92,7 +93,7 @@ Passes without_fused_pass(Passes passes) {
     return passes;
 }
 
-std::optional<int> Passes::attachment(Channel channel) const {
+std::optional<int> PassPlan::attachment(Channel channel) const {
     const auto at = std::ranges::find(attachments, channel);
     if (at == attachments.end()) return std::nullopt;
     return 2 + int(at - attachments.begin());

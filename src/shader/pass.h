@@ -109,22 +109,16 @@ inline int lists_of_a_block(const BeamLevel& level) {
     return level.lists == BeamLists::whole && level.front < 1 ? 2 : 1;
 }
 
-struct Passes;
-// The same for scenes where one draw is never enough: without the fused pass and its mask.
-Passes without_fused_pass(Passes passes);
-
-// The programs that draw a scene, in the order of a frame, and the layout of their values.
-struct Passes : FieldStorage {
-    std::vector<Pass> list;
+// What is decided of a scene's passes before any of them has its text.
+struct PassPlan : FieldStorage {
     std::vector<BeamLevel> beams; // each within the one before it
-    // The fused pass is drawn over squares of blocks: render/block_squares.h. Otherwise over a
-    // mask.
-    bool draws_squares = false;
+    // The fused pass, if there is one; drawn over squares of blocks (render/block_squares.h), or
+    // over a mask.
+    bool fuses = false, draws_squares = false;
     int light_beams = 0;           // a bit for each light whose shadow rays use its own beams
     Stage stage = Stage::fragment; // of rays and beams; other passes are fragment shaders
     bool branches = false;         // steps of rays may, since the processor skips what none takes
     int state_textures = 2;        // for a ray's state between passes
-    double size_compiled = 0;      // of the passes that tapes take the place of (inlined_size.h)
     // The functions of the field that a step of the march evaluates. For long formulas the march
     // also samples the gradient at the root, which otherwise the shade pass does.
     std::vector<FieldFunction> samples;
@@ -134,6 +128,13 @@ struct Passes : FieldStorage {
 
     // The attachment that a channel is written to, if one is.
     std::optional<int> attachment(Channel channel) const;
+};
+
+// The programs that draw a scene, in the order of a frame, and the plan that they follow.
+struct Passes : PassPlan {
+    std::vector<Pass> list;
+    double size_compiled = 0; // of the passes that tapes take the place of (inlined_size.h)
+
     // The pass with that role, or null.
     const Pass* find(Role role, int level = 0) const;
     bool has(Role role) const { return find(role) != nullptr; }
@@ -144,5 +145,8 @@ struct Passes : FieldStorage {
     // Changes with every shader's code, and not with its comments.
     std::string fingerprint() const;
 };
+
+// The same for scenes where one draw is never enough: without the fused pass and its mask.
+Passes without_fused_pass(Passes passes);
 
 } // namespace isomotion::shader

@@ -56,11 +56,11 @@ std::string beside_mirror(const scene::OneSurface& one) {
 }
 
 // meet(), with_ground() and what they need, after the field and the ray.
-void add_meeting(ShaderText& text, const scene::OneSurface& one, const Passes& passes) {
+void add_meeting(ShaderText& text, const scene::OneSurface& one, const PassPlan& plan) {
     add_picture(text, one);
     if (shines_on_paths(one)) add_color(text, one);
     add_ends(text, one);
-    add_gradient(text, passes);
+    add_gradient(text, plan);
     if (!one.scene.sections.empty()) text.file("section/distance.glsl");
     text.file("effects/end_of_ray.glsl");
     add_path(text, one);
@@ -76,31 +76,31 @@ void add_meeting(ShaderText& text, const scene::OneSurface& one, const Passes& p
     text.file("paths/meet.glsl");
 }
 
-void add_field_of_meeting(ShaderText& text, const scene::OneSurface& one, const Passes& passes) {
+void add_field_of_meeting(ShaderText& text, const scene::OneSurface& one, const PassPlan& plan) {
     std::vector<FieldFunction> functions{FieldFunction::value};
-    if (!passes.march_takes_gradient) functions.push_back(FieldFunction::gradient);
-    add_field(text, *one.surface.field, passes, functions,
-              shines_on_paths(one) ? painting_functions(one, passes)
+    if (!plan.march_takes_gradient) functions.push_back(FieldFunction::gradient);
+    add_field(text, *one.surface.field, plan, functions,
+              shines_on_paths(one) ? painting_functions(one, plan)
                                    : std::vector<GeneratedFunction>{});
 }
 
-Pass meeting_pass(const scene::OneSurface& one, const Passes& passes, Role role, const char* name,
+Pass meeting_pass(const scene::OneSurface& one, const PassPlan& plan, Role role, const char* name,
                   const char* file, Cover cover) {
     ShaderText text;
     text.define(Feature::stores_paths);
     text.define(Feature::lights, int(one.scene.lights.size()));
-    add_field_of_meeting(text, one, passes);
+    add_field_of_meeting(text, one, plan);
     add_ray(text, one);
-    add_meeting(text, one, passes);
+    add_meeting(text, one, plan);
     text.define(Feature::most_crossings, most_crossings);
     text.file(file);
     const When when = role == Role::glass_first ? When::once_a_tile : When::until_rays_end;
     return std::move(text).pass(role, name, when, cover);
 }
 
-Pass beyond_pass(const scene::OneSurface& one, const Passes& passes) {
+Pass beyond_pass(const scene::OneSurface& one, const PassPlan& plan) {
     ShaderText text;
-    add_field(text, *one.surface.field, passes, {FieldFunction::value});
+    add_field(text, *one.surface.field, plan, {FieldFunction::value});
     add_ray(text, one);
     add_ends(text, one);
     text.define(Feature::glass);
@@ -144,12 +144,12 @@ Pass ends_pass(const scene::OneSurface& one) {
     return std::move(text).pass(Role::glass_ground, "ends of paths", When::once_a_tile);
 }
 
-Pass seen_by_paths_pass(const scene::OneSurface& one, const Passes& passes) {
-    ShaderText text = begin_seen(one, passes);
+Pass seen_by_paths_pass(const scene::OneSurface& one, const PassPlan& plan) {
+    ShaderText text = begin_seen(one, plan);
     text.file("effects/load_mirrored.glsl");
     add_path(text, one);
     add_seen_shading(text, one);
-    if (painting(one)) add_gradient(text, passes);
+    if (painting(one)) add_gradient(text, plan);
     text.file("paths/packed_shadows.glsl");
     text.generated("generated: what shadow rays took",
                    fmt::format("float shadows_here() {{\n    return {};\n}}\n",
@@ -203,15 +203,15 @@ void add_seen_by_path(ShaderText& text, const scene::OneSurface& one) {
     if (mirrors_all(one)) text.generated("generated: beside the mirror", beside_mirror(one));
 }
 
-std::vector<Pass> path_passes(const scene::OneSurface& one, const Passes& passes) {
+std::vector<Pass> path_passes(const scene::OneSurface& one, const PassPlan& plan) {
     std::vector<Pass> all;
     all.push_back(begins_pass(one));
     all.push_back(
-        meeting_pass(one, passes, Role::glass_first, "glass first", "paths/first.frag", Cover{}));
-    all.push_back(march_pass(one, passes, Origin::glass, When::until_rays_end));
-    all.push_back(surface_pass(one, passes, Origin::glass, When::until_rays_end));
-    if (has_glass(one)) all.push_back(beyond_pass(one, passes));
-    all.push_back(meeting_pass(one, passes, Role::glass_next, "glass next", "paths/next.frag",
+        meeting_pass(one, plan, Role::glass_first, "glass first", "paths/first.frag", Cover{}));
+    all.push_back(march_pass(one, plan, Origin::glass, When::until_rays_end));
+    all.push_back(surface_pass(one, plan, Origin::glass, When::until_rays_end));
+    if (has_glass(one)) all.push_back(beyond_pass(one, plan));
+    all.push_back(meeting_pass(one, plan, Role::glass_next, "glass next", "paths/next.frag",
                                Cover{Cover::Area::rectangles}));
     if (one.index == 0) {
         all.push_back(path_pass(one, Role::glass_copy, "glass copy", "glass/copy.frag"));
@@ -219,7 +219,7 @@ std::vector<Pass> path_passes(const scene::OneSurface& one, const Passes& passes
         all.push_back(ended_pass(one));
         all.push_back(ends_pass(one));
     }
-    all.push_back(seen_by_paths_pass(one, passes));
+    all.push_back(seen_by_paths_pass(one, plan));
     return all;
 }
 

@@ -42,6 +42,6 @@ void add_matter_of_surface(ShaderText& text, const scene::OneSurface& one);
 void add_seen_by_path(ShaderText& text, const scene::OneSurface& one);
 
 // The passes of one surface's paths besides their march.
-std::vector<Pass> path_passes(const scene::OneSurface& one, const Passes& passes);
+std::vector<Pass> path_passes(const scene::OneSurface& one, const PassPlan& plan);
 
 } // namespace isomotion::shader

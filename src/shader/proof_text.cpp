@@ -44,13 +44,13 @@ void add_ended_ray(ShaderText& text, const scene::OneSurface& one) {
 }
 
 // Beams by models tell proofs more than rays begin and end by.
-void add_trimmed_ends(ShaderText& text, const Passes& passes) {
-    if (!settles_blocks(passes)) return;
+void add_trimmed_ends(ShaderText& text, const PassPlan& plan) {
+    if (!settles_blocks(plan)) return;
     text.define(Feature::trimmed);
 }
 
-void add_by_place(ShaderText& text, const Passes& passes) {
-    if (array_with_grid(passes)) text.define(Feature::grid);
+void add_by_place(ShaderText& text, const PassPlan& plan) {
+    if (array_with_grid(plan)) text.define(Feature::grid);
 }
 
 // Second derivatives are taken in doubles, where rounding no longer hides their gain, and where
@@ -71,14 +71,14 @@ std::vector<FieldFunction> samples_of_ray(const formula::Field& field, const Fie
 
 // Adds what a ray's proof begins with: the part it is of, the boxes around it, what F can be in
 // one.
-void add_proof(ShaderText& text, const scene::OneSurface& one, const Passes& passes,
+void add_proof(ShaderText& text, const scene::OneSurface& one, const PassPlan& plan,
                ProofBounds bounds) {
     add_ended_ray(text, one);
-    if (has_lists(passes)) text.define(Feature::lists);
-    add_trimmed_ends(text, passes);
-    add_entrance(text, passes, !passes.beams.empty());
+    if (has_lists(plan)) text.define(Feature::lists);
+    add_trimmed_ends(text, plan);
+    add_entrance(text, plan, !plan.beams.empty());
     text.file("proof/rounding.glsl");
-    if (has_lists(passes)) text.file("proof/lists.glsl");
+    if (has_lists(plan)) text.file("proof/lists.glsl");
     if (bounds == ProofBounds::in_doubles) text.define(Feature::doubles);
     text.file("proof/ray.glsl");
     add_inside_bounds(text, one);
@@ -112,17 +112,17 @@ void add_ray_models(ShaderText& text, const formula::Field& field, formula::Numb
 }
 
 // The same by bounds, of which the text must have the functions.
-void add_ray_bounds(ShaderText& text, const formula::Field& field, const Passes& passes,
+void add_ray_bounds(ShaderText& text, const formula::Field& field, const PassPlan& plan,
                     ProofBounds bounds) {
     add_value_at(text, bounds);
-    if (takes_hessian(field, passes, bounds)) text.define(Feature::hessian);
+    if (takes_hessian(field, plan, bounds)) text.define(Feature::hessian);
     text.file("proof/bounds_of_piece.glsl");
     text.file("proof/prove.glsl");
 }
 
-Pass block_proof(const scene::OneSurface& one, const Passes& passes, Role role) {
+Pass block_proof(const scene::OneSurface& one, const PassPlan& plan, Role role) {
     const formula::Field& field = *one.surface.field;
-    const bool by_models = goes_by_models(field, passes, ProofBounds::natural);
+    const bool by_models = goes_by_models(field, plan, ProofBounds::natural);
     const bool is_coarse = role == Role::coarse_block_proof;
     const int block = is_coarse ? coarse_proved_block : proved_block;
     ShaderText text;
@@ -132,26 +132,26 @@ Pass block_proof(const scene::OneSurface& one, const Passes& passes, Role role) 
     text.file("march/beam_place.glsl");
     if (by_models) {
         if (is_coarse) text.define(Feature::coarse);
-        if (!is_coarse && !settles_blocks(passes))
+        if (!is_coarse && !settles_blocks(plan))
             text.define(Feature::coarse_block, coarse_proved_block);
-        add_enclosures(text, field, passes, {});
+        add_enclosures(text, field, plan, {});
         add_piece_models(text, field, "models/block.glsl");
     } else {
-        add_enclosures(text, field, passes, samples_of_block());
+        add_enclosures(text, field, plan, samples_of_block());
     }
-    add_by_place(text, passes);
+    add_by_place(text, plan);
     text.file("frame.glsl");
     text.file("march/verdict.glsl");
     text.file("proof/ending.glsl");
     text.file("proof/rounding.glsl");
-    if (has_lists(passes)) text.define(Feature::lists);
-    add_trimmed_ends(text, passes);
-    add_beam_of_block(text, one, passes, block);
-    if (has_lists(passes)) text.file("proof/lists.glsl");
+    if (has_lists(plan)) text.define(Feature::lists);
+    add_trimmed_ends(text, plan);
+    add_beam_of_block(text, one, plan, block);
+    if (has_lists(plan)) text.file("proof/lists.glsl");
     if (by_models) {
         text.file("models/piece_of_block.glsl");
         if (!is_coarse) add_inside_bounds(text, one);
-        if (!is_coarse && settles_blocks(passes)) text.file("march/slab.glsl");
+        if (!is_coarse && settles_blocks(plan)) text.file("march/slab.glsl");
         text.file("proof/roots_of_block.glsl");
     }
     text.file(by_models ? "proof/block_by_models.frag" : "proof/block.frag");
@@ -159,58 +159,58 @@ Pass block_proof(const scene::OneSurface& one, const Passes& passes, Role role) 
                                 When::once_a_tile);
 }
 
-Pass block_mask(const Passes& passes) {
+Pass block_mask(const PassPlan& plan) {
     ShaderText text;
     text.define(Feature::block, proved_block);
     text.define(Feature::squares_apart, beam_square);
     text.file("march/beam_place.glsl");
-    define_parent(text, passes.beams.back());
+    define_parent(text, plan.beams.back());
     text.file("proof/rounding.glsl");
     text.file("march/part_of_beam.glsl");
     text.file("proof/block_mask.frag");
     return std::move(text).pass(Role::block_mask, "block mask", When::once_a_tile);
 }
 
-Pass first_proof(const scene::OneSurface& one, const Passes& passes) {
+Pass first_proof(const scene::OneSurface& one, const PassPlan& plan) {
     const formula::Field& field = *one.surface.field;
-    const bool by_models = goes_by_models(field, passes, ProofBounds::natural);
+    const bool by_models = goes_by_models(field, plan, ProofBounds::natural);
     ShaderText text;
     text.define(Feature::whole_blocks);
     add_packed(text);
     if (by_models) {
-        add_enclosures(text, field, passes, {});
-        add_proof(text, one, passes, ProofBounds::natural);
+        add_enclosures(text, field, plan, {});
+        add_proof(text, one, plan, ProofBounds::natural);
         add_value_models(text, field, formula::Numbers::floats);
     } else {
-        const ProofBounds bounds = bounds_at_root(passes);
+        const ProofBounds bounds = bounds_at_root(plan);
         std::vector functions{FieldFunction::value_interval};
         if (bounds == ProofBounds::by_gradient)
             functions.push_back(FieldFunction::gradient_interval);
-        add_enclosures(text, field, passes, functions);
-        add_proof(text, one, passes, bounds);
+        add_enclosures(text, field, plan, functions);
+        add_proof(text, one, plan, bounds);
         add_value_at(text, bounds);
     }
     text.file("proof/begin.frag");
     return std::move(text).pass(Role::first_proof, "first proof", When::once_a_tile);
 }
 
-Pass proof(const scene::OneSurface& one, const Passes& passes, ProofBounds bounds) {
+Pass proof(const scene::OneSurface& one, const PassPlan& plan, ProofBounds bounds) {
     const formula::Field& field = *one.surface.field;
     ShaderText text;
     const bool in_doubles = bounds == ProofBounds::in_doubles;
     const auto numbers = in_doubles ? formula::Numbers::doubles : formula::Numbers::floats;
     if (in_doubles) text.version(400);
     add_packed(text);
-    if (goes_by_models(field, passes, bounds)) {
-        add_enclosures(text, field, passes, {}, numbers);
-        add_by_place(text, passes);
-        add_proof(text, one, passes, bounds);
+    if (goes_by_models(field, plan, bounds)) {
+        add_enclosures(text, field, plan, {}, numbers);
+        add_by_place(text, plan);
+        add_proof(text, one, plan, bounds);
         add_ray_models(text, field, numbers);
     } else {
-        add_enclosures(text, field, passes, samples_of_ray(field, passes, bounds), numbers);
-        add_by_place(text, passes);
-        add_proof(text, one, passes, bounds);
-        add_ray_bounds(text, field, passes, bounds);
+        add_enclosures(text, field, plan, samples_of_ray(field, plan, bounds), numbers);
+        add_by_place(text, plan);
+        add_proof(text, one, plan, bounds);
+        add_ray_bounds(text, field, plan, bounds);
     }
     text.file("proof/proof.frag");
     switch (bounds) {
@@ -253,19 +253,19 @@ formula::Cost cost_of_piece(const formula::Field& field, const FieldStorage& sto
     return piece;
 }
 
-std::vector<Pass> proof_passes(const scene::OneSurface& one, const Passes& passes) {
+std::vector<Pass> proof_passes(const scene::OneSurface& one, const PassPlan& plan) {
     std::vector<Pass> list;
     if (!one.is_alone()) list.push_back(ending_of_surface(one));
     // Beams by models have proved as much.
-    if (goes_by_models(*one.surface.field, passes, ProofBounds::natural) && !settles_blocks(passes))
-        list.push_back(block_proof(one, passes, Role::coarse_block_proof));
-    if (lies_in_beams(passes, proved_block)) list.push_back(block_mask(passes));
-    list.push_back(block_proof(one, passes, Role::block_proof));
-    list.push_back(first_proof(one, passes));
-    list.push_back(proof(one, passes, ProofBounds::natural));
-    list.push_back(proof(one, passes, ProofBounds::by_gradient));
+    if (goes_by_models(*one.surface.field, plan, ProofBounds::natural) && !settles_blocks(plan))
+        list.push_back(block_proof(one, plan, Role::coarse_block_proof));
+    if (lies_in_beams(plan, proved_block)) list.push_back(block_mask(plan));
+    list.push_back(block_proof(one, plan, Role::block_proof));
+    list.push_back(first_proof(one, plan));
+    list.push_back(proof(one, plan, ProofBounds::natural));
+    list.push_back(proof(one, plan, ProofBounds::by_gradient));
     // Tapes are run on floats alone.
-    if (!passes.tapes) list.push_back(proof(one, passes, ProofBounds::in_doubles));
+    if (!plan.tapes) list.push_back(proof(one, plan, ProofBounds::in_doubles));
     return list;
 }
 

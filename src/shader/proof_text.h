@@ -27,7 +27,7 @@ formula::Cost cost_of_block_piece(const formula::Field& field, const FieldStorag
 formula::Cost cost_of_piece(const formula::Field& field, const FieldStorage& storage,
                             ProofBounds bounds, std::span<const int> counts);
 
-// All passes of proofs; `passes` must have its beams.
-std::vector<Pass> proof_passes(const scene::OneSurface& one, const Passes& passes);
+// All passes of proofs; `plan` must have its beams.
+std::vector<Pass> proof_passes(const scene::OneSurface& one, const PassPlan& plan);
 
 } // namespace isomotion::shader

@@ -77,8 +77,8 @@ bool sees_from_surfaces(const scene::OneSurface& one) {
 
 } // namespace
 
-void add_gradient(ShaderText& text, const Passes& passes) {
-    if (passes.march_takes_gradient) text.define(Feature::march_takes_gradient);
+void add_gradient(ShaderText& text, const PassPlan& plan) {
+    if (plan.march_takes_gradient) text.define(Feature::march_takes_gradient);
     text.file("shade/gradient.glsl");
 }
 
@@ -120,55 +120,55 @@ bool can_fuse(const scene::OneSurface& one, const std::vector<Channel>& channels
 namespace {
 
 // Adds what shades a ray in the draw that marches it.
-void add_shade_of_ray(ShaderText& text, const scene::OneSurface& one, const Passes& passes) {
+void add_shade_of_ray(ShaderText& text, const scene::OneSurface& one, const PassPlan& plan) {
     add_picture(text, one, Draws::one);
     add_color(text, one);
     text.file("shade/lambert.glsl");
-    add_gradient(text, passes);
-    add_channels(text, one, passes.attachments, Draws::one);
+    add_gradient(text, plan);
+    add_channels(text, one, plan.attachments, Draws::one);
 }
 
 // Begins with the field, of which marching takes these functions, and the ray.
-ShaderText begin_fused(const scene::OneSurface& one, const Passes& passes,
+ShaderText begin_fused(const scene::OneSurface& one, const PassPlan& plan,
                        std::vector<FieldFunction> functions) {
     ShaderText text;
     text.define(Feature::draws_at_once);
-    if (!one.is_alone()) text.define(Feature::way_location, way_attachment(passes));
-    define_state(text, passes);
+    if (!one.is_alone()) text.define(Feature::way_location, way_attachment(plan));
+    define_state(text, plan);
     text.define(Feature::lights, int(one.scene.lights.size()));
-    if (!passes.march_takes_gradient) functions.push_back(FieldFunction::gradient);
-    add_field(text, *one.surface.field, through_copies(passes), functions,
-              painting_functions(one, passes));
+    if (!plan.march_takes_gradient) functions.push_back(FieldFunction::gradient);
+    add_field(text, *one.surface.field, through_copies(plan), functions,
+              painting_functions(one, plan));
     add_ray(text, one);
     return text;
 }
 
 } // namespace
 
-Pass fused_pass(const scene::OneSurface& one, const Passes& passes) {
-    ShaderText text = begin_fused(one, passes, passes.samples);
-    add_march(text, one, passes, Origin::eye, Draws::one);
-    add_shade_of_ray(text, one, passes);
+Pass fused_pass(const scene::OneSurface& one, const PassPlan& plan) {
+    ShaderText text = begin_fused(one, plan, plan.samples);
+    add_march(text, one, plan, Origin::eye, Draws::one);
+    add_shade_of_ray(text, one, plan);
     if (!one.is_alone()) text.file("surfaces/nearest.glsl");
     text.file("shade/shade.frag");
     return std::move(text).pass(Role::fused, "fused", When::once_a_tile,
-                                cover(one, Draws::one, passes.draws_squares));
+                                cover(one, Draws::one, plan.draws_squares));
 }
 
-Pass settled_pass(const scene::OneSurface& one, const Passes& passes) {
-    ShaderText text = begin_fused(one, passes, {FieldFunction::directional});
-    add_settled_march(text, passes);
-    add_shade_of_ray(text, one, passes);
+Pass settled_pass(const scene::OneSurface& one, const PassPlan& plan) {
+    ShaderText text = begin_fused(one, plan, {FieldFunction::directional});
+    add_settled_march(text, plan);
+    add_shade_of_ray(text, one, plan);
     text.file("shade/shade.frag");
     return std::move(text).pass(Role::settled, "settled", When::once_a_tile,
-                                cover(one, Draws::one, passes.draws_squares));
+                                cover(one, Draws::one, plan.draws_squares));
 }
 
-Pass mask_pass(const scene::OneSurface& one, const Passes& passes) {
+Pass mask_pass(const scene::OneSurface& one, const PassPlan& plan) {
     ShaderText text;
-    const bool by_beams = !passes.beams.empty();
+    const bool by_beams = !plan.beams.empty();
     if (by_beams && one.is_alone()) {
-        define_blocks(text, passes.beams.back());
+        define_blocks(text, plan.beams.back());
         text.define(Feature::masks_blocks);
         text.file("march/mask.frag");
     } else {
@@ -176,30 +176,30 @@ Pass mask_pass(const scene::OneSurface& one, const Passes& passes) {
         text.file("math/bits.glsl");
         add_ray(text, one);
         add_ways(text, one, Origin::eye);
-        add_way(text, passes, by_beams);
+        add_way(text, plan, by_beams);
         text.file("march/mask.frag");
     }
     return std::move(text).pass(Role::mask, "mask", When::once_a_tile);
 }
 
-Pass surface_pass(const scene::OneSurface& one, const Passes& passes, Origin origin, When when) {
+Pass surface_pass(const scene::OneSurface& one, const PassPlan& plan, Origin origin, When when) {
     ShaderText text;
     const bool begins_rays = one.is_alone() || sees_from_surfaces(one);
     std::vector<FieldFunction> functions;
     if (begins_rays) functions.push_back(FieldFunction::value);
-    if (!passes.march_takes_gradient) functions.push_back(FieldFunction::gradient);
-    add_field(text, *one.surface.field, passes, functions);
+    if (!plan.march_takes_gradient) functions.push_back(FieldFunction::gradient);
+    add_field(text, *one.surface.field, plan, functions);
     if (!begins_rays)
         text.generated("no ray begins here, so how far off doesn't matter",
                        "float field(vec3 p) {\n    return 1.0;\n}\n");
     add_ray(text, one, origin);
-    const bool by_lists = origin == Origin::eye && has_lists(passes);
+    const bool by_lists = origin == Origin::eye && has_lists(plan);
     if (by_lists) {
         text.define(Feature::lists);
-        add_entrance(text, passes, true);
+        add_entrance(text, plan, true);
     }
     if (origin != Origin::mirror) text.file("effects/surface_point.glsl"); // it has that already
-    add_gradient(text, passes);
+    add_gradient(text, plan);
     if (!one.scene.sections.empty()) text.file("section/distance.glsl");
     // Among several surfaces the first one's rays meet the ground for all.
     const bool meets_ground = one.scene.ground && one.index == 0;
@@ -238,14 +238,14 @@ Pass surface_pass(const scene::OneSurface& one, const Passes& passes, Origin ori
     return std::move(text).pass(Role::surface, "surface", when);
 }
 
-ShaderText begin_seen(const scene::OneSurface& one, const Passes& passes) {
+ShaderText begin_seen(const scene::OneSurface& one, const PassPlan& plan) {
     ShaderText text;
     text.define(Feature::lights, int(one.scene.lights.size()));
     std::vector<FieldFunction> functions;
     const bool paint = painting(one) != nullptr;
-    if (paint && !passes.march_takes_gradient) functions.push_back(FieldFunction::gradient);
+    if (paint && !plan.march_takes_gradient) functions.push_back(FieldFunction::gradient);
     if (paint || one.surface.material.contours) {
-        add_field(text, *one.surface.field, passes, functions, painting_functions(one, passes));
+        add_field(text, *one.surface.field, plan, functions, painting_functions(one, plan));
     } else {
         text.file("math/bits.glsl");
     }
@@ -256,17 +256,17 @@ ShaderText begin_seen(const scene::OneSurface& one, const Passes& passes) {
     return text;
 }
 
-Pass seen_pass(const scene::OneSurface& one, const Passes& passes) {
-    ShaderText text = begin_seen(one, passes);
+Pass seen_pass(const scene::OneSurface& one, const PassPlan& plan) {
+    ShaderText text = begin_seen(one, plan);
     add_load_surface(text, one);
     text.file("effects/load_mirrored.glsl");
     add_seen_shading(text, one);
-    if (painting(one)) add_gradient(text, passes);
+    if (painting(one)) add_gradient(text, plan);
     text.file("surfaces/seen.frag");
     return std::move(text).pass(Role::seen, "seen", When::once_a_tile);
 }
 
-Pass shade_pass(const scene::OneSurface& one, const Passes& passes, When when) {
+Pass shade_pass(const scene::OneSurface& one, const PassPlan& plan, When when) {
     ShaderText text;
     text.define(Feature::lights, int(one.scene.lights.size()));
     if (follows_paths(one.scene)) text.define(Feature::follows_paths);
@@ -277,19 +277,19 @@ Pass shade_pass(const scene::OneSurface& one, const Passes& passes, When when) {
     std::vector<FieldFunction> functions;
     // Paint may ask for the gradient too.
     const bool needs_gradient = !from_surface || paint;
-    if (!passes.march_takes_gradient && needs_gradient) {
+    if (!plan.march_takes_gradient && needs_gradient) {
         functions.push_back(FieldFunction::gradient);
     }
     if (from_surface && one.scene.occlusion && one.is_alone())
         functions.push_back(FieldFunction::value);
-    std::vector<GeneratedFunction> beside = painting_functions(one, passes);
+    std::vector<GeneratedFunction> beside = painting_functions(one, plan);
     const bool paints_curvature = paint && painting(one)->hessian;
     if (const auto hessian = mirror_hessian(one); hessian && !paints_curvature) {
         beside.insert(beside.begin(), {"second derivatives", formula::kernels_used(*hessian),
                                        formula::glsl_hessian(*hessian, field.packing)});
     }
     if (!functions.empty() || !beside.empty()) {
-        add_field(text, field, passes, functions, beside);
+        add_field(text, field, plan, functions, beside);
     } else {
         text.file("math/bits.glsl");
     }
@@ -308,19 +308,19 @@ Pass shade_pass(const scene::OneSurface& one, const Passes& passes, When when) {
         }
         text.file("shade/lambert.glsl");
     }
-    if (needs_gradient) add_gradient(text, passes);
+    if (needs_gradient) add_gradient(text, plan);
     if (!one.is_alone()) {
         text.generated("generated: which surface is seen",
                        "uniform sampler2D surface_texture_3;\n");
     }
-    add_channels(text, one, passes.attachments);
+    add_channels(text, one, plan.attachments);
     text.file(from_surface ? "effects/shade.frag" : "shade/shade.frag");
     return std::move(text).pass(Role::shade, "shade", when, cover(one, Draws::several));
 }
 
-Pass motion_pass(const scene::OneSurface& one, const Passes& passes) {
+Pass motion_pass(const scene::OneSurface& one, const PassPlan& plan) {
     ShaderText text;
-    add_field(text, *one.surface.field, passes, {FieldFunction::value, FieldFunction::gradient});
+    add_field(text, *one.surface.field, plan, {FieldFunction::value, FieldFunction::gradient});
     add_ray(text, one);
     text.file("effects/motion.frag");
     return std::move(text).pass(Role::motion, "motion", When::at_two_times);

@@ -66,9 +66,9 @@ Pass mirror_mask_pass(const scene::Scene& scene) {
     return std::move(text).pass(Role::mirror_mask, "mirror mask", When::once_a_tile);
 }
 
-Pass occlusion_pass(const scene::OneSurface& one, const Passes& passes) {
+Pass occlusion_pass(const scene::OneSurface& one, const PassPlan& plan) {
     ShaderText text;
-    add_field(text, *one.surface.field, passes, {FieldFunction::value, FieldFunction::gradient});
+    add_field(text, *one.surface.field, plan, {FieldFunction::value, FieldFunction::gradient});
     add_ray(text, one);
     if (!one.scene.sections.empty()) text.file("section/distance.glsl");
     text.file("effects/surface_point.glsl");

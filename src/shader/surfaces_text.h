@@ -21,13 +21,13 @@ void add_mirror_ray(ShaderText& text, const scene::OneSurface& one);
 // before. Call it before enter_beam() is added.
 void add_ways(ShaderText& text, const scene::OneSurface& one, Origin origin);
 // The attachment of pictures drawn so that has the way to what is seen, after those of channels.
-inline int way_attachment(const Passes& passes) { return 2 + int(passes.attachments.size()); }
+inline int way_attachment(const PassPlan& plan) { return 2 + int(plan.attachments.size()); }
 // All surfaces are drawn in one draw each, or none.
 void agree_on_draws(std::vector<Passes*> all);
 // store_nearest().
 void add_store_nearest(ShaderText& text, const scene::OneSurface& one, Origin origin);
 // Where mirrored rays of several surfaces begin.
 Pass mirror_mask_pass(const scene::Scene& scene);
-Pass occlusion_pass(const scene::OneSurface& one, const Passes& passes);
+Pass occlusion_pass(const scene::OneSurface& one, const PassPlan& plan);
 
 } // namespace isomotion::shader
