@@ -121,11 +121,13 @@ namespace {
 
 // Adds what shades a ray in the draw that marches it.
 void add_shade_of_ray(ShaderText& text, const scene::OneSurface& one, const PassPlan& plan) {
+    if (!one.is_alone()) text.file("surfaces/way.glsl");
     add_picture(text, one, Draws::one);
     add_color(text, one);
     text.file("shade/lambert.glsl");
     add_gradient(text, plan);
     add_channels(text, one, plan.attachments, Draws::one);
+    text.file("shade/shade.glsl");
 }
 
 // Begins with the field, of which marching takes these functions, and the ray.
@@ -314,6 +316,7 @@ Pass shade_pass(const scene::OneSurface& one, const PassPlan& plan, When when) {
                        "uniform sampler2D surface_texture_3;\n");
     }
     add_channels(text, one, plan.attachments);
+    if (!from_surface) text.file("shade/shade.glsl");
     text.file(from_surface ? "effects/shade.frag" : "shade/shade.frag");
     return std::move(text).pass(Role::shade, "shade", when, cover(one, Draws::several));
 }

@@ -191,6 +191,25 @@ TEST_F(CompileWithGlslang, EveryAssembly) {
     expect_valid();
 }
 
+TEST_F(CompileWithGlslang, EveryPassOfSeveralSurfacesAndGlass) {
+    std::set<std::string> seen;
+    const auto add_passes = [&](const scene::Scene& scene, const std::vector<Channel>& channels) {
+        for (std::size_t k = 0; k < scene.surfaces.size(); ++k) {
+            for (const Pass& pass : assemble(scene::OneSurface(scene, k), channels, on_page).list) {
+                if (seen.insert(pass.text).second) add(pass.text, "frag");
+            }
+        }
+    };
+    for (const auto& channels : {std::vector<Channel>{}, every_channel}) {
+        add_passes(two_plain_surfaces("0.5"), channels);
+        add_passes(scene_of(glass_among_others("0.5")), channels);
+        for (const auto& glass : every_glass)
+            add_passes(scene_of(surface_text("x^2 + y^2 - z", every_bounds[1], "hermite") + glass),
+                       channels);
+    }
+    expect_valid();
+}
+
 TEST_F(CompileWithGlslang, EveryPassOfBrowsers) {
     std::set<std::string> seen;
     const auto add_passes = [&](const std::string& text) {
