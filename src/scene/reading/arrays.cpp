@@ -30,16 +30,15 @@ animation::FieldSource read_field(const toml::node& node, const std::string& key
 
 // One array as its tables write it, not yet understood.
 struct ArrayNodes {
-    const toml::node* place = nullptr;
-    std::string key; // of the array, for messages
-    const toml::node* count = nullptr;
-    std::optional<Section> data; // where a file is named
-    struct Field {
+    struct Value {
         const toml::node* node = nullptr;
-        std::string key;
+        std::string key; // for messages
     };
+    Value place;
+    std::optional<Value> count;
+    std::optional<Section> data;    // where a file is named
     std::vector<std::string> order; // of the fields
-    std::map<std::string, Field> fields;
+    std::map<std::string, Value> fields;
 };
 
 bool is_of_the_file(const std::string& name) {
@@ -48,11 +47,10 @@ bool is_of_the_file(const std::string& name) {
 }
 
 void gather(Section section, ArrayNodes& nodes) {
-    nodes.place = &section.table();
-    nodes.key = section.key();
+    nodes.place = {&section.table(), section.key()};
     if (section.has("file")) {
         nodes.data = section;
-        nodes.count = nullptr;
+        nodes.count.reset();
         std::erase_if(nodes.order, [&](const std::string& field) {
             return nodes.fields.at(field).node->is_array() && nodes.fields.erase(field);
         });
@@ -61,7 +59,7 @@ void gather(Section section, ArrayNodes& nodes) {
         const toml::node& node = *section.find(name);
         const std::string key = section.dotted(name);
         if (name == "count") {
-            nodes.count = &node;
+            nodes.count = {&node, key};
             continue;
         }
         if (section.has("file") && is_of_the_file(name)) continue;
@@ -71,19 +69,19 @@ void gather(Section section, ArrayNodes& nodes) {
     }
 }
 
-int read_count(const toml::node& node, const std::string& key) {
+int read_count(const ArrayNodes::Value& value) {
+    const toml::node& node = *value.node;
     const auto count = node.value_exact<std::int64_t>();
     if (!count || *count < 0 || *count > limits::elements) {
-        fail(node, key, fmt::format("must be an integer from 0 to {}", limits::elements));
+        fail(node, value.key, fmt::format("must be an integer from 0 to {}", limits::elements));
     }
     return int(*count);
 }
 
 TableOptions read_data(const ArrayNodes& nodes, const base::Confines& within) {
     Section section = *nodes.data;
-    const std::string& key = nodes.key;
     TableOptions options;
-    options.most = nodes.count ? read_count(*nodes.count, key + ".count") : limits::elements;
+    options.most = nodes.count ? read_count(*nodes.count) : limits::elements;
     options.counts_files = !nodes.count;
     const toml::node& file = *section.find("file");
     const auto name = section.text("file");
@@ -92,12 +90,13 @@ TableOptions read_data(const ArrayNodes& nodes, const base::Confines& within) {
     options.within = confines_of(file, within);
     const int first_file = section.integer("first_file", 0, limits::frames).value_or(1);
     for (const NumberedFile& one :
-         numbered_files(file, key + ".file", options.file, options.within))
+         numbered_files(file, section.dotted("file"), options.file, options.within))
         options.frames.emplace_back(std::int64_t(one.number) - first_file + 1, one.file);
     if (options.frames.empty()) {
-        options.file = named_file(file, key + ".file", std::array{options.file}, options.within);
+        options.file =
+            named_file(file, section.dotted("file"), std::array{options.file}, options.within);
         if (const toml::node* first = section.find("first_file")) {
-            fail(*first, key + ".first_file",
+            fail(*first, section.dotted("first_file"),
                  "is the number of the file that frame 1 shows; the file's name has no place for "
                  "one, such as ####");
         }
@@ -237,20 +236,19 @@ animation::Array make_array(const std::string& name, const ArrayNodes& nodes,
                             MistakeList& mistakes) {
     animation::Array array;
     array.name = name;
-    const std::string& key = nodes.key;
     if (data) {
         add_data(nodes, *data, tables, tracks, array);
     } else {
         if (!nodes.count) {
-            fail(*nodes.place, key,
+            fail(*nodes.place.node, nodes.place.key,
                  "needs count, the number of elements, or file, a table of them");
         }
-        array.count = read_count(*nodes.count, key + ".count");
+        array.count = read_count(*nodes.count);
     }
-    if (nodes.count) tracks.place(name + ".count", key + ".count", nodes.count);
+    if (nodes.count) tracks.place(name + ".count", nodes.count->key, nodes.count->node);
     for (const std::string& field : nodes.order) add_field(field, nodes, tracks, array, mistakes);
     if (array.fields.size() > std::size_t(limits::fields)) {
-        fail(*nodes.place, key,
+        fail(*nodes.place.node, nodes.place.key,
              fmt::format("has {} fields; at most {} are possible", array.fields.size(),
                          limits::fields));
     }
@@ -279,7 +277,7 @@ GatheredArrays gathered(Section* catalogue, Section& sections) {
         }
     }
     if (all.names.size() > std::size_t(formula::max_arrays)) {
-        fail(*all.nodes[all.names.back()].place, "arrays",
+        fail(*all.nodes[all.names.back()].place.node, "arrays",
              fmt::format("a scene has at most {} arrays", formula::max_arrays));
     }
     return all;
@@ -310,9 +308,12 @@ bool read_arrays(Section* catalogue, Section& sections, const animation::Timelin
         const auto file = data.find(name);
         const TableOptions* options = file == data.end() ? nullptr : &file->second;
         if (!are_known && all.nodes[name].data) continue;
+        // A key that is no field may be a slip of the pen for one that chooses columns.
+        const std::size_t before = mistakes.size();
         are_known &= mistakes.attempt([&] {
             arrays.push_back(make_array(name, all.nodes[name], options, tables, tracks, mistakes));
         });
+        if (options && mistakes.size() != before) are_known = false;
     }
     return are_known;
 }

@@ -219,8 +219,12 @@ std::optional<Section> Section::section_of(const std::string& name, bool merges)
         if (node->is_table()) {
             layers.push_back({node->as_table(), its_name});
         } else if (!is_wrong(name)) {
-            attempt(name,
-                    [&] { fail(*node, its_name, fmt::format("must be a table: [{}]", its_name)); });
+            attempt(name, [&] {
+                fail(*node, its_name,
+                     fmt::format("must be a table: [{}]", its_name.starts_with("surfaces.")
+                                                              ? "surfaces." + name
+                                                              : its_name));
+            });
         }
     }
     if (layers.empty()) return std::nullopt;

@@ -16,7 +16,8 @@ Light read_light(Section section, TrackTable& tracks) {
         section.tell(
             "needs one of direction = [x, y, z], pointing to the light, and position = [x, y, z]");
         pass_over(keys::light_place_keys, section);
-        light.direction = tracks.add(section.dotted("direction"), 0, 0, 1);
+        light.direction = tracks.add(section.full_name("direction"), 0, 0, 1);
+        light.falloff = light.radius = std::nullopt; // whose rules depend on the kind of light
     } else {
         read_keys(keys::light_place_keys, section, light, tracks);
     }

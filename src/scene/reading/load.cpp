@@ -79,11 +79,12 @@ void refuse_unused_arrays(const toml::table& root, const Scene& scene) {
 }
 
 Scene read_listed(toml::table& root, const fs::path& file, const base::Confines& within) {
-    const std::vector<std::string> names = listed_names(root);
+    MistakeList in_names;
+    const std::vector<std::string> names = listed_names(root, in_names);
     std::set<std::string> unused = shared_parameters(root);
     Scene all;
     std::vector<Surface> surfaces;
-    std::optional<Mistakes> mistakes;
+    std::optional<Mistakes> mistakes = in_names.all();
     for (std::size_t k = 0; k < names.size(); ++k) {
         std::set<std::string> for_others = shared_parameters(root);
         for (const std::string& own : own_parameters(root, k)) for_others.erase(own);

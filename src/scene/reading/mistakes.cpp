@@ -58,6 +58,10 @@ void MistakeList::tell(const PlacedError& mistake) {
 
 bool MistakeList::is_full() const { return told_.size() >= most_told; }
 
+std::optional<Mistakes> MistakeList::all() const {
+    return told_.empty() ? std::nullopt : std::optional(Mistakes(told_));
+}
+
 void MistakeList::throw_if_any() const {
     if (!told_.empty()) throw Mistakes(told_);
 }

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -66,6 +67,7 @@ public:
     std::size_t size() const { return told_.size(); }
     bool is_full() const;
     bool may_name_others() const { return may_name_others_; }
+    std::optional<Mistakes> all() const; // none if there are none
     // Throws Mistakes if there are any.
     void throw_if_any() const;
 

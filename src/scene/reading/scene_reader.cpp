@@ -129,10 +129,9 @@ Scene SceneReader::read(const fs::path& file) {
     compile();
     evaluate();
     mistakes_.throw_if_any();
-    mistakes_.attempt([&] {
-        if (parts_->lacks_bounds) find_bounds();
-        measure();
-    });
+    if (parts_->lacks_bounds) mistakes_.attempt([&] { find_bounds(); });
+    mistakes_.throw_if_any();
+    mistakes_.attempt([&] { measure(); });
     mistakes_.throw_if_any();
     if (listed_) {
         surface().label = listed_->name;
@@ -145,7 +144,7 @@ Scene SceneReader::read(const fs::path& file) {
 // What the look says and the document leaves to it is read below the document.
 void SceneReader::read_look() {
     std::vector<Section::Layer> layers{{&root_, ""}};
-    if (listed_) layers.insert(layers.begin(), {&listed_->table, ""});
+    if (listed_) layers.insert(layers.begin(), {&listed_->table, "surfaces." + listed_->name});
     Section above(std::move(layers), "", mistakes_);
     mistakes_.attempt([&] { surface().look = look_below(above, root_.get("look"), look_); });
 }
@@ -161,6 +160,7 @@ Section SceneReader::surface_section(Section& document) {
     if (!listed_) {
         if (auto given = document.section("surface")) return *given;
         static const toml::table stand_in{{"formula", "x"}, {"bounds", toml::table{{"sphere", 1}}}};
+        misses_surface_ = true;
         if (!document.has("surface"))
             document.tell_missing("surface", "formula = \"...\" and bounds, or use = \"name\" of "
                                              "the catalogue");
@@ -170,15 +170,15 @@ Section SceneReader::surface_section(Section& document) {
     Section listed(std::vector<Section::Layer>{{&listed_->table, "surfaces." + listed_->name}},
                    "surface", mistakes_);
     listed.find("name");
-    for (const char* own : ::isomotion::scene::own_sections) listed.find(own);
+    for (const char* own : own_sections) listed.find(own);
     return listed;
 }
 
 // Where the parameters, arrays, material and isolation of the surface are.
-Section SceneReader::own_sections(Section& document) {
+Section SceneReader::sections_of_surface(Section& document) {
     std::vector<Section::Layer> layers = document.layers();
     if (listed_) layers.insert(layers.begin(), {&listed_->table, "surfaces." + listed_->name});
-    for (const char* own : ::isomotion::scene::own_sections) document.find(own);
+    for (const char* own : own_sections) document.find(own);
     return Section(std::move(layers), "", mistakes_);
 }
 
@@ -186,7 +186,7 @@ Section SceneReader::own_sections(Section& document) {
 void SceneReader::read_document() {
     Section document = this->document();
     Section surface_section = this->surface_section(document);
-    Section own = own_sections(document);
+    Section own = sections_of_surface(document);
     scene_.title = read_title(document, scene_.file);
     const TimeParts time = read_time(document);
     scene_.timeline = time.timeline;
@@ -225,7 +225,7 @@ void SceneReader::compile() {
         make_paints(material_, *parts_, mistakes_);
         if (is_formula_right) mistakes_.attempt([&] { expect_surface(scene_, *parts_); });
         store_elements_of(*parts_, paints_of(surface().material));
-        if (is_formula_right && !mistakes_.may_name_others()) {
+        if (is_formula_right && !misses_surface_ && !mistakes_.may_name_others()) {
             refuse_unused(*parts_, paints_of(surface().material), tracks_,
                           listed_ ? &listed_->for_others : nullptr, mistakes_);
         }
@@ -270,7 +270,7 @@ void SceneReader::find_bounds() {
     for (int k = 0; k < 3; ++k) tracks_.set(bounds.centre[std::size_t(k)], centre[k]);
     surface().found_bounds = found->is_about_surface;
     animate();
-    first_ = at_frame(scene_, 1);
+    evaluate();
 }
 
 void SceneReader::measure() {

@@ -42,7 +42,7 @@ private:
     void read_look();
     Section document();
     Section surface_section(Section& document);
-    Section own_sections(Section& document);
+    Section sections_of_surface(Section& document);
     void read_document();
     void compile();
     void animate();
@@ -60,7 +60,8 @@ private:
     std::uint64_t seed_ = 0;
     std::unique_ptr<SurfaceParts> parts_;
     MaterialParts material_;
-    GivenThresholds given_; // by the scene or the catalogue
+    GivenThresholds given_;       // by the scene or the catalogue
+    bool misses_surface_ = false; // another formula stands in for its own
     bool may_evaluate_ = false;
     SceneAt first_;
 };

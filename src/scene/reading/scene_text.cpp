@@ -10,10 +10,10 @@
 namespace isomotion::scene {
 namespace {
 
-constexpr std::string_view sections[] = {"title",      "time",      "surface",     "surfaces",
-                                         "parameters", "arrays",    "isolation",   "camera",
-                                         "lights",     "material",  "ground",      "fog",
-                                         "ambient",    "occlusion", "environment", "output"};
+constexpr std::string_view sections[] = {
+    "title",     "time",    "surface",   "surfaces",    "parameters", "arrays",
+    "isolation", "camera",  "lights",    "sections",    "material",   "ground",
+    "fog",       "ambient", "occlusion", "environment", "output"};
 
 std::string quoted(const std::string& text) {
     std::string all = "\"";

@@ -15,7 +15,7 @@ Cut read_cut(Section section, TrackTable& tracks) {
                      "taken away, and sphere = radius of a ball that is");
         pass_over(keys::plane_keys, section);
         pass_over(keys::cut_ball_keys, section);
-        cut = {.is_ball = true, .centre = tracks.add(section.dotted("centre"), 0, 0, 0)};
+        cut = {.is_ball = true, .centre = tracks.add(section.full_name("centre"), 0, 0, 0)};
         cut.radius = cut.centre[0];
     } else if (cut.is_ball) {
         read_keys(keys::cut_ball_keys, section, cut, tracks);

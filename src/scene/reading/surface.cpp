@@ -38,6 +38,7 @@ Parameter read_parameter(Section& parameters, const std::string& name, const Ran
     range.most = section.number("max", -1e30, 1e30).value_or(range.most);
     const toml::node* value = section.find("default");
     const auto source = section.track("default");
+    if (!value) section.find("ease"); // of keys, which may be what is missing
     section.refuse_rest();
     if (!value) {
         section.tell("needs a default, or keys = [[t, value], ...]");

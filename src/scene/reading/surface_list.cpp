@@ -19,7 +19,7 @@ std::string number_of(std::size_t index) { return std::to_string(index + 1); }
 std::string read_name(const toml::table& table, std::size_t index) {
     const toml::node* node = table.get("name");
     if (!node) return number_of(index);
-    const std::string key = fmt::format("surfaces[{}].name", index + 1);
+    const std::string key = fmt::format("surfaces.{}.name", index + 1);
     const auto text = node->value_exact<std::string>();
     const bool is_right = text && !text->empty() && text->size() <= longest_name &&
                           base::is_one_printable_line(*text);
@@ -44,7 +44,7 @@ toml::table& listed(toml::table& document, std::size_t index) {
 
 bool lists_surfaces(const toml::table& document) { return document.contains("surfaces"); }
 
-std::vector<std::string> listed_names(toml::table& document) {
+std::vector<std::string> listed_names(toml::table& document, MistakeList& mistakes) {
     const toml::node& node = *document.get("surfaces");
     const toml::array* list = node.as_array();
     if (!list || !list->is_array_of_tables())
@@ -56,10 +56,15 @@ std::vector<std::string> listed_names(toml::table& document) {
         fail(*one, "surface", "is beside [[surfaces]]; list it there, or leave the list out");
     std::vector<std::string> names;
     for (std::size_t k = 0; k < list->size(); ++k) {
-        names.push_back(read_name(listed(document, k), k));
-        if (std::ranges::count(names, names.back()) > 1)
-            fail(*list->get(k), fmt::format("surfaces[{}].name", k + 1),
-                 fmt::format("'{}' is the name of another surface", names.back()));
+        std::string name = number_of(k);
+        mistakes.attempt([&] {
+            const std::string given = read_name(listed(document, k), k);
+            if (std::ranges::count(names, given) > 0)
+                fail(*list->get(k), fmt::format("surfaces.{}.name", k + 1),
+                     fmt::format("'{}' is the name of another surface", given));
+            name = given;
+        });
+        names.push_back(name);
     }
     return names;
 }

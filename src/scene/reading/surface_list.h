@@ -7,6 +7,8 @@
 
 #include <toml++/toml.h>
 
+#include "scene/reading/mistakes.h"
+
 namespace isomotion::scene {
 
 // The sections that a listed surface may have itself.
@@ -14,9 +16,9 @@ inline constexpr const char* own_sections[] = {"parameters", "arrays", "material
 
 bool lists_surfaces(const toml::table& document);
 
-// The surfaces' names, or numbers if they have none. Throws PlacedError if the list is not a list,
-// is too long or repeats a name, and if there is a [surface] beside it.
-std::vector<std::string> listed_names(toml::table& document);
+// The surfaces' names, or numbers if they have none, or a wrong one, which is told. Throws
+// PlacedError if the list is not a list or is too long, and if there is a [surface] beside it.
+std::vector<std::string> listed_names(toml::table& document, MistakeList& mistakes);
 
 // The listed surface with this name or number, or null.
 toml::table* listed_surface(toml::table& document, const std::string& name);

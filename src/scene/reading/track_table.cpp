@@ -1,6 +1,7 @@
 #include "scene/reading/track_table.h"
 
 #include <algorithm>
+#include <set>
 
 #include <fmt/format.h>
 
@@ -37,18 +38,20 @@ void TrackTable::set(TrackId track, double value) {
     tracks_[std::size_t(track)].track.source = value;
 }
 
-// Replaces the whole value that the track is of.
+// Replaces the whole value that the name is of: a track, or several, as the ends of a range.
 bool TrackTable::replace(const std::string& name) {
-    const auto found =
-        std::ranges::find(tracks_, name, [](const Entry& entry) { return entry.track.name; });
-    if (found == tracks_.end() || found->is_replaced) return false;
-    const std::string of_value = found->of_value;
-    for (Entry& entry : tracks_) {
-        if (entry.of_value != of_value) continue;
-        entry.track.source = entry.otherwise;
-        entry.is_replaced = true;
+    std::set<std::string> values;
+    for (const Entry& entry : tracks_) {
+        const std::string& track = entry.track.name;
+        if (track == name || track.starts_with(name + ".")) values.insert(entry.of_value);
     }
-    return true;
+    bool is_new = false;
+    for (Entry& entry : tracks_) {
+        if (!values.contains(entry.of_value) || entry.is_replaced) continue;
+        entry.track.source = entry.otherwise;
+        entry.is_replaced = is_new = true;
+    }
+    return is_new;
 }
 
 animation::Animation TrackTable::animate(std::vector<animation::Array>& arrays, std::uint64_t seed,
@@ -92,13 +95,17 @@ void TrackTable::fail_at(const ValueError& error) const {
 }
 
 bool TrackTable::replace(const ValueError& error, MistakeList& mistakes) {
-    const auto is_replaced = [&] {
-        const auto found = std::ranges::find(tracks_, error.name(),
-                                             [](const Entry& entry) { return entry.track.name; });
-        return found != tracks_.end() && found->is_replaced;
-    };
-    if (is_replaced()) return false;
-    mistakes.attempt([&] { fail_at(error); });
+    const bool is_in_vain = std::ranges::any_of(tracks_, [&](const Entry& entry) {
+        return entry.is_replaced && (entry.track.name == error.name() ||
+                                     entry.track.name.starts_with(error.name() + "."));
+    });
+    if (is_in_vain) return false;
+    try {
+        mistakes.attempt([&] { fail_at(error); });
+    } catch (const ValueError&) {
+        if (mistakes.empty()) throw;
+        return false;
+    }
     return replace(error.name());
 }
 

@@ -41,7 +41,8 @@ public:
     animation::Animation animate(std::vector<animation::Array>& arrays, std::uint64_t seed,
                                  MistakeList& mistakes);
     // Tells the error at its place, and replaces the value. Returns false where nothing can stand
-    // in for it, or has done so in vain. Throws the error as it is if its place is not known.
+    // in for it, or has done so in vain. Throws the error as it is if its place is not known,
+    // unless it may follow from a mistake that was told.
     bool replace(const ValueError& error, MistakeList& mistakes);
 
     // Throws PlacedError at the value's place if that is known, otherwise SceneError.

@@ -201,6 +201,29 @@ TEST_F(SeveralMistakes, OfAllStagesAtOnce) {
               "}");
 }
 
+// A value that two numbers make wrong is replaced, and what follows it is told, too.
+TEST_F(SeveralMistakes, OfRangesHideNoOthers) {
+    EXPECT_EQ(mistake("[surface]\nformula = \"x\"\nbounds = { sphere = 1 }\n[material]\n"
+                      "colormap = { value = \"z\", range = [0, 0] }\n[occlusion]\nradius = -1\n"),
+              "scene.toml:5: material.colormap.range at t = 0: the two ends must differ, and both "
+              "are 0\n"
+              "scene.toml:7: occlusion.radius at t = 0: must be above 0, not -1");
+}
+
+// What surfaces share is wrong once, under the name of the shared section.
+TEST_F(SeveralMistakes, OfSharedArraysAreToldOnce) {
+    EXPECT_EQ(
+        mistake("[[surfaces]]\nname = 3\nformula = \"sum(p, x*w)\"\nbounds = { sphere = 1 }\n"
+                "[surfaces.arrays.p]\nw = 1\n[[surfaces]]\nformula = \"sum(p, y)\"\n"
+                "bounds = { sphere = 1 }\nmaterial = 3\n[arrays.p]\ncount = -3\n"
+                "[[lights]]\nradius = 80\nfalloff = 2\n"),
+        "scene.toml:2: surfaces.1.name: must be a text of one line and at most 64 bytes\n"
+        "scene.toml:10: surfaces.2.material: must be a table: [surfaces.material]\n"
+        "scene.toml:12: arrays.p.count: must be an integer from 0 to 1000000\n"
+        "scene.toml:13: lights[0]: needs one of direction = [x, y, z], pointing to the light, "
+        "and position = [x, y, z]");
+}
+
 // Formulas and colours may name what a wrong array would have had; all else is read.
 TEST_F(SeveralMistakes, OfAnArrayHideThoseOfFormulas) {
     EXPECT_EQ(mistake(blobs("count = -1\ncx = 1") +

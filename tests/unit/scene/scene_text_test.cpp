@@ -1,4 +1,10 @@
 // A scene's document written as a scene file.
+#include <filesystem>
+#include <fstream>
+
+#include <unistd.h>
+
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 
 #include "scene/data_folder.h"
@@ -52,6 +58,38 @@ TEST(FormulaScene, FindsTheTimeInAFormula) {
     values.resize(2); // what comes after is the camera's
     EXPECT_EQ(both.timeline.frames, 120);
     EXPECT_THAT(values, testing::UnorderedElementsAre(0.25, 1));
+}
+
+// Every section of a scene is written, of several surfaces with the bounds that were found.
+TEST(SceneFileText, HasAllSections) {
+    const std::string scene = R"toml(title = "All"
+
+[[surfaces]]
+formula = "x^2 + y^2 + z^2 - r"
+
+[parameters]
+r = 2.0
+
+[camera]
+zoom = 2.0
+
+[[lights]]
+direction = [0, 0, 1]
+
+[[sections]]
+normal = [0, 0, 1]
+
+[fog]
+density = 0.5
+)toml";
+    const auto file = std::filesystem::temp_directory_path() /
+                      fmt::format("isomotion-all-sections-{}.toml", getpid());
+    std::ofstream(file) << scene;
+    std::string text = scene_file_text(file.string());
+    std::filesystem::remove(file);
+    const std::size_t begin = text.find("bounds = { sphere = "), end = text.find('\n', begin);
+    ASSERT_NE(begin, text.npos) << text;
+    EXPECT_EQ(text.erase(begin, end + 1 - begin), scene);
 }
 
 // Scenes of formulas and of the gallery have the same text and values when they are read again.

@@ -203,7 +203,7 @@ TEST(Surfaces, MistakesHaveTheirLine) {
     const std::string ball = "[[surfaces]]\nformula = \"x^2 + y^2 + z^2 - 1\"\n";
     EXPECT_THAT(message_of(ball + "[[surfaces]]\nformula = \"x +\"\n"), HasSubstr("scene.toml:4:"));
     EXPECT_THAT(message_of(ball + "colour = 1\n"), HasSubstr("scene.toml:3: surfaces.1.colour"));
-    EXPECT_THAT(message_of(ball + "name = \"\"\n"), HasSubstr("surfaces[1].name"));
+    EXPECT_THAT(message_of(ball + "name = \"\"\n"), HasSubstr("surfaces.1.name"));
     EXPECT_THAT(message_of(ball + ball + "name = \"1\"\n"), HasSubstr("name of another"));
     EXPECT_THAT(message_of(ball + "[surface]\nformula = \"x\"\n"),
                 HasSubstr("beside [[surfaces]]"));
