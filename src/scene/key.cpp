@@ -9,9 +9,11 @@ std::string Allowed::words() const {
     if (has_least && has_most && !without_least && !without_most)
         return fmt::format("from {} to {}", least, most);
     std::string words;
-    if (has_least) words = fmt::format(without_least ? "above {}" : "{} or above", least);
+    if (has_least)
+        words = without_least ? fmt::format("above {}", least) : fmt::format("{} or above", least);
     if (has_least && has_most) words += " and ";
-    if (has_most) words += fmt::format(without_most ? "below {}" : "{} or below", most);
+    if (has_most)
+        words += without_most ? fmt::format("below {}", most) : fmt::format("{} or below", most);
     return words;
 }
 

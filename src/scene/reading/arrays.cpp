@@ -102,9 +102,9 @@ TableOptions read_data(const ArrayNodes& nodes, const base::Confines& within) {
         }
     }
     if (auto columns = section.section("columns")) {
-        for (const auto& [name, node] : columns->table()) {
-            const std::string field(name.str());
-            columns->attempt(field, [&] { check_name(field, node, columns->dotted(field)); });
+        for (const std::string& field : columns->names()) {
+            columns->attempt(
+                field, [&] { check_name(field, *columns->find(field), columns->dotted(field)); });
             options.columns[field] = columns->text(field).value_or("");
         }
     }
@@ -209,8 +209,9 @@ void add_data(const ArrayNodes& nodes, const TableOptions& options, Tables& tabl
 // A field; one that is wrong is told, and has a number that stands in for it.
 void add_field(const std::string& name, const ArrayNodes& nodes, TrackTable& tracks,
                animation::Array& array, MistakeList& mistakes) {
-    const auto& [place, key] = nodes.fields.at(name);
-    const toml::node& node = *place;
+    const ArrayNodes::Value& given = nodes.fields.at(name);
+    const toml::node& node = *given.node;
+    const std::string& key = given.key;
     animation::FieldSource source = stand_in_number;
     mistakes.attempt([&] {
         animation::FieldSource read = read_field(node, key);

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <utility>
 
 #include <fmt/format.h>
 
@@ -39,17 +38,18 @@ bool are_frames_set(const Section& document) {
 
 SkyGradient read_gradient(Section section) {
     SkyGradient gradient;
-    for (auto [name, color] :
-         {std::pair("top", &gradient.top), std::pair("bottom", &gradient.bottom)}) {
+    const auto read = [&](const char* name, std::array<double, 3>& color) {
         const toml::node* node = section.find(name);
         if (!node) {
             section.tell_missing(name, "[r, g, b]");
-            continue;
+            return;
         }
-        section.attempt(name, [&, to = color] {
-            *to = read_still_color(*node, section.dotted(name), "must be [r, g, b] (linear)");
+        section.attempt(name, [&] {
+            color = read_still_color(*node, section.dotted(name), "must be [r, g, b] (linear)");
         });
-    }
+    };
+    read("top", gradient.top);
+    read("bottom", gradient.bottom);
     section.refuse_rest();
     return gradient;
 }

@@ -23,18 +23,19 @@ std::optional<std::size_t> read_word(Section& section, const char* key,
 template<class Of, class Track, class At, class Value>
 void read_key(const keys::Animated<Of, Track, At, Value>& row, Section& section, Of& into,
               TrackTable& tracks) {
+    using Row = keys::Animated<Of, Track, At, Value>;
     const toml::node* at = section.find(row.name);
     if (!at && row.kind.needed) section.tell_missing(row.name, row.kind.needed);
     const std::string name = section.full_name(row.name);
-    if constexpr (row.is_vector) {
+    if constexpr (Row::is_vector) {
         const auto source = section.vector(row.name);
-        if (!source && !row.kind.standard && row.may_be_unset) return;
+        if (!source && !row.kind.standard && Row::may_be_unset) return;
         if (!at && !row.kind.standard && !row.kind.needed) return;
         const auto otherwise = row.kind.standard.value_or(stand_in_vector);
         into.*row.track = tracks.add(name, source, otherwise, at, section.dotted(row.name));
     } else {
         const auto source = section.track(row.name);
-        if (!source && !row.kind.standard && row.may_be_unset) return;
+        if (!source && !row.kind.standard && Row::may_be_unset) return;
         if (!at && !row.kind.standard && !row.kind.needed) return;
         const double otherwise = row.kind.standard ? row.kind.standard->front() : stand_in_number;
         into.*row.track = tracks.add(name, source, otherwise, at, section.dotted(row.name));

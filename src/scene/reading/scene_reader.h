@@ -13,6 +13,7 @@
 #include "scene/reading/material.h"
 #include "scene/reading/surface.h"
 #include "scene/scene.h"
+#include "scene/scene_at.h"
 
 namespace isomotion::scene {
 

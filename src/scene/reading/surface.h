@@ -13,6 +13,9 @@ namespace isomotion::scene {
 
 // A surface that is being read.
 struct SurfaceParts {
+    explicit SurfaceParts(Surface& its_surface)
+        : surface(its_surface) {}
+
     Surface& surface; // the field is made later, when uniform fields have their tracks
     std::optional<std::string> formula{}; // none if it is wrong
     const toml::node* formula_node = nullptr;
