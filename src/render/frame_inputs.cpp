@@ -129,7 +129,8 @@ elements::ElementGrid grid_of(const elements::GridMaker& maker, const scene::Sur
 formula::TapeCells tapes_of(const scene::SurfaceAt& at, const InputLayout& layout) {
     std::array<formula::Interval, 3> box;
     for (int k = 0; k < 3; ++k) box[std::size_t(k)] = {at.bounds.min[k], at.bounds.max[k]};
-    return formula::tape_cells(layout.passes.tapes->groups(), at.bindings.parameters, box,
+    return formula::tape_cells(layout.passes.tapes->groups(),
+                               layout.passes.tapes->parameters(at.bindings), box,
                                layout.tape_limits);
 }
 

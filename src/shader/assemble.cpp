@@ -68,7 +68,8 @@ PassPlan plan_with(const std::shared_ptr<const FieldTapes>& tapes, const scene::
                    const std::vector<Channel>& channels, const Drawing& drawing,
                    bool keeps_copies) {
     const bool on_web = drawing.platform == Platform::webgl;
-    FieldStorage storage = storage_of_elements(one, drawing, keeps_copies);
+    FieldStorage storage =
+        tapes ? storage_of_all_elements(one) : storage_of_elements(one, drawing, keeps_copies);
     storage.tapes = tapes;
     const std::vector<BeamLevel> beams = beams_of(one, storage, drawing);
     // A wall's normal is no slope along a ray.
@@ -143,6 +144,14 @@ std::vector<Pass> passes_of(const scene::OneSurface& one, const PassPlan& plan,
     return list;
 }
 
+// How many elements the surface's arrays have over all times.
+std::vector<formula::ElementRange> element_ranges(const animation::Animation& animation) {
+    std::vector<formula::ElementRange> ranges;
+    for (const animation::Array& array : animation.arrays())
+        ranges.push_back({array.samples ? 0 : array.count, array.count});
+    return ranges;
+}
+
 Passes assemble_with(const std::shared_ptr<const FieldTapes>& tapes, const scene::OneSurface& one,
                      const std::vector<Channel>& channels, const Drawing& drawing,
                      double size_compiled = 0) {
@@ -158,7 +167,8 @@ Passes assemble(const scene::OneSurface& one, const std::vector<Channel>& channe
     const Passes compiled = assemble_with(nullptr, one, channels, drawing);
     const double size = inlined_size(compiled);
     if (drawing.platform == Platform::webgl || size <= largest_shaders()) return compiled;
-    const auto tapes = FieldTapes::of(*one.surface.field);
+    const auto tapes = FieldTapes::of(*one.surface.field, one.surface.parameters,
+                                      element_ranges(one.surface.animation));
     if (!tapes) return compiled;
     return assemble_with(tapes, one, channels, drawing, size);
 }

@@ -111,6 +111,11 @@ FieldStorage storage_of_elements(const scene::OneSurface& one, const Drawing& dr
     return field_storage(*one.surface.field, one.surface.parameters, counts, finding);
 }
 
+FieldStorage storage_of_all_elements(const scene::OneSurface& one) {
+    return field_storage(*one.surface.field, one.surface.parameters,
+                         one.surface.animation.counts());
+}
+
 std::vector<std::int64_t> sizes_of_change(const scene::Scene& scene, const Drawing& drawing) {
     std::vector<std::int64_t> sizes;
     if (!drawing.writes_buffers || drawing.platform == Platform::webgl) return sizes;

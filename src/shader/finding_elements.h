@@ -15,6 +15,9 @@ namespace isomotion::shader {
 FieldStorage storage_of_elements(const scene::OneSurface& one, const Drawing& drawing,
                                  bool keeps_copies);
 
+// The same for shaders that go through all elements, wherever they evaluate F.
+FieldStorage storage_of_all_elements(const scene::OneSurface& one);
+
 // Numbers of pixels from which on pictures have other shaders than below, since beams are wider in
 // small pictures and lists longer: one for each surface of the scene whose elements are found by
 // place in smaller pictures.

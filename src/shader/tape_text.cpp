@@ -105,7 +105,10 @@ std::string along_axes(FieldFunction function) {
 
 } // namespace
 
-std::shared_ptr<const FieldTapes> FieldTapes::of(const formula::Field& field) {
+std::shared_ptr<const FieldTapes> FieldTapes::of(const formula::Field& field, int parameters,
+                                                 std::vector<formula::ElementRange> ranges) {
+    // Of one function: software renderers end a loop after 65,536 turns.
+    constexpr std::size_t longest = 65'536 * formula::tape_unrolled;
     const formula::EnclosurePrograms& over_boxes = formula::enclosure_programs(field);
     // Its decoration comes of running it.
     formula::Program enclosure_of_rough = over_boxes.rough;
@@ -121,7 +124,7 @@ std::shared_ptr<const FieldTapes> FieldTapes::of(const formula::Field& field) {
          {rough, {enclosure_of_rough, decorated}},
          {breaks, {over_boxes.breaks, intervals, 0}},
          {directional_interval, {over_boxes.directional, intervals, 1, 1}}}};
-    FieldTapes tapes;
+    FieldTapes tapes(formula::ElementParameters(parameters, field.packing, std::move(ranges)));
     for (const auto& group : groups) {
         std::vector<formula::TapeRequest> requests;
         for (const auto& [function, request] : group) {
@@ -129,7 +132,10 @@ std::shared_ptr<const FieldTapes> FieldTapes::of(const formula::Field& field) {
             // axes keep fewer values at a time.
             if (function == gradient && field.wall_distance == 0) continue;
             tapes.functions_.push_back(function);
+            auto program = formula::unrolled(request.program, tapes.elements_, longest);
+            if (!program) return nullptr;
             requests.push_back(request);
+            requests.back().program = std::move(*program);
         }
         auto made = formula::TapeFunctions::of(requests);
         if (!made) return nullptr;

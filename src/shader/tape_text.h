@@ -4,9 +4,11 @@
 
 #include <memory>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "formula/tape/tape_cells.h"
+#include "formula/tape/unrolled.h"
 #include "shader/field_text.h"
 
 namespace isomotion::shader {
@@ -16,8 +18,10 @@ struct Passes;
 // The functions of a field as an interpreter runs them.
 class FieldTapes {
 public:
-    // Null for a field with arrays, or with more values at a time than the interpreter keeps.
-    static std::shared_ptr<const FieldTapes> of(const formula::Field& field);
+    // Null for a field with more values at a time than the interpreter keeps, or with sums over so
+    // many elements that a tape for each of them would be too long.
+    static std::shared_ptr<const FieldTapes> of(const formula::Field& field, int parameters,
+                                                std::vector<formula::ElementRange> ranges);
 
     // The order of tapes' spans.
     const std::vector<FieldFunction>& functions() const { return functions_; }
@@ -27,6 +31,11 @@ public:
 
     // Those on points, then those on boxes.
     std::span<const formula::TapeFunctions> groups() const { return groups_; }
+
+    // What the groups' tapes read as parameters.
+    std::vector<float> parameters(const formula::Bindings<float>& bindings) const {
+        return elements_.values(bindings);
+    }
 
     // For each of the functions, whether these shaders run it.
     std::vector<bool> are_run(const Passes& passes) const;
@@ -39,6 +48,10 @@ public:
     formula::Cost cost(const std::vector<FieldFunction>& functions) const;
 
 private:
+    explicit FieldTapes(formula::ElementParameters elements)
+        : elements_(std::move(elements)) {}
+
+    formula::ElementParameters elements_;
     std::vector<FieldFunction> functions_;
     std::vector<formula::TapeFunctions> groups_;
 };

@@ -125,13 +125,34 @@ TEST_P(Tapes, LongFormulasAreDrawnAtOnce) {
     EXPECT_NEAR(double(hits), 0.5 * 22 * 22, 60);
 }
 
-TEST_P(Tapes, FormulasOverElementsAreCompiled) {
-    const scene::Scene scene = scene_of("surface.formula = \"sum(b, exp(-(x - b_x)^2 - y^2 - "
-                                        "z^2)) - 0.5\"\nsurface.bounds.sphere = 2\n"
-                                        "[arrays.b]\ncount = 3\nb_x = \"i/4\"\n");
+// Loops over elements are written out, since tapes have none.
+TEST_P(Tapes, GoThroughElements) {
+    const std::string moving = "[time]\nframes = 30\nfps = 30\n";
+    const std::string balls =
+        "[arrays.b]\ncount = 3\nbx = \"i/2 - 0.5 + t/5\"\nbr = [0.2, 0.3, 0.4]\n";
+    const std::string posts = "[arrays.p]\ncount = 2\npy = \"0.8*i - 0.4\"\n";
+    for (const char* formula : {
+             "sum(b, exp(-8*((x - bx)^2 + y^2 + z^2)/br)) - 0.5",
+             "least(b, sqrt((x - bx)^2 + y^2 + z^2) - br)",
+             "min(z + 0.3, least(b, (x - bx)^2 + y^2 + z^2 - br^2))",
+         })
+        expect_alike(*context, scene_text(formula, balls + moving), 20);
+    expect_alike(*context,
+                 scene_text("sum(b, sum(p, exp(-8*((x - bx)^2 + (y - py)^2 + z^2)/br))) - 0.5",
+                            balls + posts + moving),
+                 20);
+    // many, which beams or a grid would find
+    expect_alike(*context,
+                 scene_text("sum(b, exp(-20*((x - bx)^2 + (y - by)^2 + z^2))) - 0.3",
+                            "[arrays.b]\ncount = 100\nbx = \"(i - 10*floor(i/10))/5 - 0.9\"\n"
+                            "by = \"floor(i/10)/5 - 0.9\"\n"));
+}
+
+TEST_P(Tapes, HaveNoneForMoreElementsThanFit) {
+    const scene::Scene scene = scene_of(scene_text("sum(b, exp(-(x - bx)^2 - y^2 - z^2)) - 0.5",
+                                                   "[arrays.b]\ncount = 60000\nbx = \"i/4\"\n"));
     const RunEach run;
     EXPECT_FALSE(shader::assemble(scene).tapes);
-    EXPECT_THROW(draw(*context, scene), std::length_error);
 }
 
 } // namespace

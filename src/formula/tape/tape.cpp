@@ -8,6 +8,7 @@
 
 #include "formula/glsl/exact_results.h"
 #include "formula/interval/interval_operations.h"
+#include "formula/tape/tape_order.h"
 
 namespace isomotion::formula {
 namespace {
@@ -83,8 +84,8 @@ void keep_needed(std::span<const TapeStep> steps, std::span<const int> outputs,
 
 bool is_extreme(const TapeStep& step) { return step.op == Op::min || step.op == Op::max; }
 
-// Tells selects that are slopes of a min or max which one that is. Only slopes of F may need them.
-void link_slopes(Tape& tape, const std::vector<bool>& is_slope) {
+// Whether outputs that are no slopes need the steps.
+std::vector<bool> steps_of_values(const Tape& tape, const std::vector<bool>& is_slope) {
     std::vector<bool> for_values(tape.steps.size(), false);
     for (std::size_t o = 0; o < tape.outputs.size(); ++o) {
         if (!is_slope[o]) for_values[std::size_t(tape.outputs[o])] = true;
@@ -94,6 +95,11 @@ void link_slopes(Tape& tape, const std::vector<bool>& is_slope) {
         for (std::size_t o = 0; for_values[k] && o < step.arity; ++o)
             for_values[std::size_t(step.operands[o])] = true;
     }
+    return for_values;
+}
+
+// Tells selects that are slopes of a min or max which one that is. Only slopes of F may need them.
+void link_slopes(Tape& tape, const std::vector<bool>& for_values) {
     std::map<std::tuple<Op, int, int>, int> extremes; // by what they compare
     for (std::size_t k = 0; k < tape.steps.size(); ++k) {
         const TapeStep& step = tape.steps[k];
@@ -105,72 +111,6 @@ void link_slopes(Tape& tape, const std::vector<bool>& is_slope) {
         const auto known = extremes.find({Op(step.index), step.operands[0], step.operands[1]});
         if (known != extremes.end()) step.follows = known->second;
     }
-}
-
-// For each step, how many values are kept at a time until it is known, were nothing shared: the
-// operand that needs most is computed first (Sethi and Ullman 1970).
-std::vector<int> values_kept(std::span<const TapeStep> steps) {
-    std::vector<int> kept;
-    kept.reserve(steps.size());
-    for (const TapeStep& step : steps) {
-        std::array<int, 4> of{};
-        for (std::size_t o = 0; o < step.arity; ++o) of[o] = kept[std::size_t(step.operands[o])];
-        std::ranges::sort(of, std::greater<>());
-        int most = 1;
-        for (int o = 0; o < int(step.arity); ++o) most = std::max(most, of[std::size_t(o)] + o);
-        kept.push_back(most);
-    }
-    return kept;
-}
-
-// The same steps in an order that leaves few values to be kept: each value's slope next to it. What
-// a select follows comes before it.
-Tape with_slopes_next_to_values(const Tape& tape) {
-    constexpr std::array<std::size_t, 4> of_select{2, 0, 3, 1}; // a slope asks for its values
-    const std::vector<int> kept = values_kept(tape.steps);
-    // The operand to be looked at as number `next`.
-    const auto operand = [&](const TapeStep& step, std::size_t next) {
-        std::array<std::size_t, 4> order{0, 1, 2, 3};
-        if (step.op == Op::select) order = of_select;
-        std::ranges::stable_sort(
-            std::span(order).first(step.arity), std::greater<>(),
-            [&](std::size_t o) { return kept[std::size_t(step.operands[o])]; });
-        return step.operands[order[next]];
-    };
-    std::vector<int> place(tape.steps.size(), -1);
-    Tape ordered;
-    ordered.steps.reserve(tape.steps.size());
-    struct Open {
-        int step;
-        std::size_t next; // operand to look at
-    };
-    std::vector<Open> open;
-    // The last output first, as it is a slope of the first.
-    for (auto output = tape.outputs.rbegin(); output != tape.outputs.rend(); ++output) {
-        open.push_back({*output, 0});
-        while (!open.empty()) {
-            auto& [at, next] = open.back();
-            const TapeStep& step = tape.steps[std::size_t(at)];
-            if (place[std::size_t(at)] >= 0) {
-                open.pop_back();
-            } else if (next < step.arity) {
-                const int first = operand(step, next);
-                ++next;
-                open.push_back({first, 0});
-            } else if (step.follows >= 0 && place[std::size_t(step.follows)] < 0) {
-                open.push_back({step.follows, 0});
-            } else {
-                place[std::size_t(at)] = int(ordered.steps.size());
-                TapeStep& copy = ordered.steps.emplace_back(step);
-                for (std::size_t o = 0; o < step.arity; ++o)
-                    copy.operands[o] = place[std::size_t(step.operands[o])];
-                if (step.follows >= 0) copy.follows = place[std::size_t(step.follows)];
-                open.pop_back();
-            }
-        }
-    }
-    for (const int output : tape.outputs) ordered.outputs.push_back(place[std::size_t(output)]);
-    return ordered;
 }
 
 bool is_finite(Interval a) { return a.lo > -infinity && a.hi < infinity; }
@@ -410,8 +350,9 @@ std::optional<Tape> tape_of(std::span<const TapeSource> sources) {
         for (int o = 0; o < int(program.outputs.size()); ++o)
             is_slope.push_back(o >= values && o < values + slopes);
     }
-    link_slopes(tape, is_slope);
-    return with_slopes_next_to_values(tape);
+    const std::vector<bool> for_values = steps_of_values(tape, is_slope);
+    link_slopes(tape, for_values);
+    return with_slopes_next_to_values(tape, for_values);
 }
 
 Tape with_parameters(Tape tape, std::span<const Interval> parameters) {

@@ -11,6 +11,7 @@
 #include "formula/field.h"
 #include "formula/graph/operations.h"
 #include "formula/interval/interval_operations.h"
+#include "formula/tape/unrolled.h"
 #include "testing.h"
 
 namespace isomotion::formula {
@@ -222,6 +223,38 @@ TEST(Tape, KeepsOfManyBallsThoseThatAreNear) {
 TEST(Tape, LoopsOverElementsHaveNone) {
     const Field field = make_field("sum(blobs, (x - cx)^2) - 1", test_vocabulary());
     EXPECT_FALSE(tape_of(std::array<TapeSource, 1>{{{field.value}}}));
+}
+
+// The number of registers that the tape's words take.
+int registers_of(const Tape& tape) {
+    const TapeOperations operations(tape, TapeNumbers::floats);
+    return words_of(tape, operations, 6, 1 << 20).value().registers;
+}
+
+// The slope of a product of sums needs the values of both, and both slopes.
+TEST(Tape, KeepsFewValuesOfLongProducts) {
+    std::string first, second;
+    for (int k = 0; k < 300; ++k) {
+        const std::string plus = k == 0 ? "" : " + ", number = std::to_string(0.3 + 0.01 * k);
+        first += plus + "sin(" + number + "*x - y)*cos(y + " + number + "*z)";
+        second += plus + "cos(x*z - " + number + ")";
+    }
+    const Tape tape = tape_of_field("(" + first + ")*exp(" + second + ") - 1");
+    EXPECT_LT(registers_of(tape), 40);
+}
+
+// Of what is needed for each of many elements, what is cheap is computed again.
+TEST(Tape, RepeatsCheapStepsThatAreNeededMuchLater) {
+    std::string terms;
+    for (int k = 0; k < 600; ++k)
+        terms += (k == 0 ? "" : " + ") + ("sin(" + std::to_string(0.3 + 0.01 * k)) + "*x - cx)";
+    const Field field = make_field("sum(blobs, (" + terms + ")*cy)", test_vocabulary());
+    const ElementParameters elements(0, field.packing, {{3, 3}, {}});
+    const auto value = unrolled(field.value, elements, 1 << 20);
+    const auto slope = unrolled(field.directional, elements, 1 << 20);
+    ASSERT_TRUE(value && slope);
+    const Tape tape = tape_of(std::array<TapeSource, 2>{{{*value}, {*slope, 1, 1}}}).value();
+    EXPECT_LT(registers_of(with_parameters(tape, std::vector<Interval>(100, 0.3))), 100);
 }
 
 TEST(Tape, IsInWordsThatAnInterpreterReads) {

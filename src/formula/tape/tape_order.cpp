@@ -1,0 +1,226 @@
+#include "formula/tape/tape_order.h"
+
+#include <algorithm>
+#include <functional>
+#include <ranges>
+#include <span>
+#include <utility>
+
+namespace isomotion::formula {
+namespace {
+
+// For each step, how many values are kept at a time until it is known, were nothing shared: the
+// operand that needs most is computed first (Sethi and Ullman 1970).
+std::vector<int> values_kept(std::span<const TapeStep> steps) {
+    std::vector<int> kept;
+    kept.reserve(steps.size());
+    for (const TapeStep& step : steps) {
+        std::array<int, 4> of{};
+        for (std::size_t o = 0; o < step.arity; ++o) of[o] = kept[std::size_t(step.operands[o])];
+        std::ranges::sort(of, std::greater<>());
+        int most = 1;
+        for (int o = 0; o < int(step.arity); ++o) most = std::max(most, of[std::size_t(o)] + o);
+        kept.push_back(most);
+    }
+    return kept;
+}
+
+// Puts a tape's steps in another order.
+class Order {
+public:
+    explicit Order(const Tape& tape)
+        : tape_(tape)
+        , kept_(values_kept(tape.steps))
+        , place_(tape.steps.size(), -1) {
+        ordered_.steps.reserve(tape.steps.size());
+    }
+
+    // Adds the step, after those that it needs and that are not there yet. What a select follows
+    // comes before it.
+    void add(int wanted) {
+        struct Open {
+            int step;
+            std::size_t next; // operand to look at
+        };
+        std::vector<Open> open{{wanted, 0}};
+        while (!open.empty()) {
+            auto& [at, next] = open.back();
+            const TapeStep& step = tape_.steps[std::size_t(at)];
+            if (has(at)) {
+                open.pop_back();
+            } else if (next < step.arity) {
+                const int first = operand(step, next);
+                ++next;
+                open.push_back({first, 0});
+            } else if (step.follows >= 0 && !has(step.follows)) {
+                open.push_back({step.follows, 0});
+            } else {
+                place_[std::size_t(at)] = int(ordered_.steps.size());
+                TapeStep& copy = ordered_.steps.emplace_back(step);
+                for (std::size_t o = 0; o < step.arity; ++o)
+                    copy.operands[o] = place(step.operands[o]);
+                if (step.follows >= 0) copy.follows = place(step.follows);
+                open.pop_back();
+            }
+        }
+    }
+
+    bool has(int step) const { return place(step) >= 0; }
+    int place(int step) const { return place_[std::size_t(step)]; }
+
+    Tape take() {
+        for (const int output : tape_.outputs) ordered_.outputs.push_back(place(output));
+        return std::move(ordered_);
+    }
+
+private:
+    // The operand to be looked at as number `next`.
+    int operand(const TapeStep& step, std::size_t next) const {
+        constexpr std::array<std::size_t, 4> of_select{2, 0, 3, 1}; // a slope asks for its values
+        std::array<std::size_t, 4> order{0, 1, 2, 3};
+        if (step.op == Op::select) order = of_select;
+        std::ranges::stable_sort(
+            std::span(order).first(step.arity), std::greater<>(),
+            [&](std::size_t o) { return kept_[std::size_t(step.operands[o])]; });
+        return step.operands[order[next]];
+    }
+
+    const Tape& tape_;
+    std::vector<int> kept_, place_;
+    Tape ordered_;
+};
+
+// How many values the steps keep at a time.
+int most_kept(const Tape& tape) {
+    std::vector<int> ends(tape.steps.size() + 1, 0); // values whose last use is there
+    std::vector<std::size_t> last_use(tape.steps.size());
+    for (std::size_t k = 0; k < tape.steps.size(); ++k) {
+        for (std::size_t o = 0; o < tape.steps[k].arity; ++o)
+            last_use[std::size_t(tape.steps[k].operands[o])] = k;
+    }
+    for (const int output : tape.outputs) last_use[std::size_t(output)] = tape.steps.size();
+    const auto is_in_words = [](const TapeStep& step) {
+        return step.op == Op::constant || step.op == Op::parameter;
+    };
+    int kept = 0, most = 0;
+    for (std::size_t k = 0; k < tape.steps.size(); ++k) {
+        if (is_in_words(tape.steps[k])) continue;
+        ++ends[last_use[k]];
+        most = std::max(most, ++kept);
+        kept -= ends[k];
+    }
+    return most;
+}
+
+// The last output first, as it is a slope of the first, and values where slopes ask for them.
+Tape values_in_slopes(const Tape& tape) {
+    Order order(tape);
+    for (const int output : std::views::reverse(tape.outputs)) order.add(output);
+    return order.take();
+}
+
+// Each value's slope as soon as the values that it needs are there, as in forward differentiation.
+// A product of long sums needs their values and their slopes; one after the other would keep a
+// value for each term.
+Tape slopes_behind_values(const Tape& tape, const std::vector<bool>& for_values) {
+    Order values(tape);
+    for (const int output : tape.outputs) {
+        if (for_values[std::size_t(output)]) values.add(output);
+    }
+    // For each step the last value, in that order, that it needs; -1 without any.
+    std::vector<int> needs(tape.steps.size(), -1);
+    // Slopes that no other step needs before a further value is there, by the last value.
+    std::vector<std::vector<int>> slopes(tape.steps.size());
+    std::vector<bool> is_needed_at_once(tape.steps.size(), false);
+    std::vector<int> value_at; // by place
+    for (std::size_t k = 0; k < tape.steps.size(); ++k) {
+        const TapeStep& step = tape.steps[k];
+        if (for_values[k]) {
+            needs[k] = values.place(int(k));
+            value_at.resize(std::max(value_at.size(), std::size_t(needs[k]) + 1));
+            value_at[std::size_t(needs[k])] = int(k);
+            continue;
+        }
+        for (std::size_t o = 0; o < step.arity; ++o)
+            needs[k] = std::max(needs[k], needs[std::size_t(step.operands[o])]);
+        if (step.follows >= 0) needs[k] = std::max(needs[k], needs[std::size_t(step.follows)]);
+        for (std::size_t o = 0; o < step.arity; ++o) {
+            const auto of = std::size_t(step.operands[o]);
+            if (needs[of] == needs[k]) is_needed_at_once[of] = true;
+        }
+    }
+    for (std::size_t k = 0; k < tape.steps.size(); ++k) {
+        if (!for_values[k] && needs[k] >= 0 && !is_needed_at_once[k])
+            slopes[std::size_t(needs[k])].push_back(int(k));
+    }
+    Order order(tape);
+    for (std::size_t at = 0; at < value_at.size(); ++at) {
+        order.add(value_at[at]);
+        for (const int slope : slopes[at]) order.add(slope);
+    }
+    for (const int output : tape.outputs) order.add(output);
+    return order.take();
+}
+
+bool is_leaf(const TapeStep& step) { return step.arity == 0; }
+
+// For each step, how many steps compute it from leaves, if these are few sums and products; else 0.
+std::vector<int> steps_from_leaves(const Tape& tape) {
+    constexpr int few = 6;
+    std::vector<int> counts;
+    for (const TapeStep& step : tape.steps) {
+        const bool is_cheap = step.op == Op::negate || step.op == Op::add ||
+                              step.op == Op::subtract || step.op == Op::multiply;
+        int count = is_cheap ? 1 : 0;
+        for (std::size_t o = 0; count > 0 && o < step.arity; ++o) {
+            const auto of = std::size_t(step.operands[o]);
+            if (is_leaf(tape.steps[of])) continue;
+            count = counts[of] > 0 && count + counts[of] <= few ? count + counts[of] : 0;
+        }
+        counts.push_back(count);
+    }
+    return counts;
+}
+
+// The same function with what is cheap computed anew where it is needed much later, so that nothing
+// is kept for it.
+Tape with_cheap_steps_repeated(const Tape& tape) {
+    constexpr std::size_t much_later = 100;
+    const std::vector<int> cheap = steps_from_leaves(tape);
+    std::vector<int> place(tape.steps.size(), -1);
+    std::vector<std::size_t> last_use(tape.steps.size(), 0);
+    Tape made;
+    const auto add = [&](const auto& add, std::size_t k) -> int {
+        TapeStep copy = tape.steps[k];
+        for (std::size_t o = 0; o < copy.arity; ++o) {
+            const auto of = std::size_t(copy.operands[o]);
+            const bool is_far = place[of] < 0 || made.steps.size() - last_use[of] > much_later;
+            if (cheap[of] > 0 && is_far) add(add, of);
+            last_use[of] = made.steps.size();
+            copy.operands[o] = place[of];
+        }
+        if (copy.follows >= 0) copy.follows = place[std::size_t(copy.follows)];
+        made.steps.push_back(copy);
+        last_use[k] = made.steps.size();
+        return place[k] = int(made.steps.size()) - 1;
+    };
+    for (std::size_t k = 0; k < tape.steps.size(); ++k) {
+        if (cheap[k] == 0) add(add, k);
+    }
+    for (const int output : tape.outputs) {
+        const auto of = std::size_t(output);
+        made.outputs.push_back(place[of] < 0 ? add(add, of) : place[of]);
+    }
+    return made;
+}
+
+} // namespace
+
+Tape with_slopes_next_to_values(const Tape& tape, const std::vector<bool>& for_values) {
+    Tape one = values_in_slopes(tape), other = slopes_behind_values(tape, for_values);
+    Tape& better = most_kept(one) <= most_kept(other) ? one : other;
+    constexpr int many = 500;
+    return most_kept(better) > many ? with_cheap_steps_repeated(better) : std::move(better);
+}
+
+} // namespace isomotion::formula
