@@ -31,7 +31,7 @@ Bindings<float> random_elements(Random& random, int parameters, int arrays, int 
 const std::vector<std::string> formulas_over_elements{
     "sum(blobs, (x - cx)^2 + y*cy) - 1",
     "least(blobs, (x - cx)^2 + (y - cy)^2 + z^2) - 0.2",
-    "sum(blobs, cx*least(blobs, abs(y - cy))) - z",
+    "sum(blobs, cx*least(links, abs(y - py - cy))) - z",
     "x*sum(blobs, cx) + y^2 - least(blobs, max(x, cy))",
     "x + y + z - 1",
 };
