@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "formula/graph/functions.h"
+
 namespace isomotion::formula {
 namespace {
 
@@ -100,10 +102,6 @@ private:
         switch (now.op) {
         case Op::constant:
             return now.value >= 0;
-        case Op::abs:
-        case Op::exp:
-        case Op::sqrt:
-            return true;
         case Op::add:
         case Op::min:
             return operand(0) && operand(1);
@@ -115,8 +113,11 @@ private:
             return is_positive_number_[std::size_t(now.operands[0])] != 0 && operand(1);
         case Op::select:
             return operand(2) && operand(3);
-        default:
-            return false;
+        default: {
+            const UnaryTraits* traits = unary_traits(now.op);
+            return traits && (traits->is_never_negative() ||
+                              (traits->sign == Sign::as_argument && operand(0)));
+        }
         }
     }
 

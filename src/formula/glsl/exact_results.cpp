@@ -1,9 +1,9 @@
 #include "formula/glsl/exact_results.h"
 
+#include "formula/graph/functions.h"
+
 namespace isomotion::formula {
 namespace {
-
-bool jumps(Op op) { return op == Op::floor || op == Op::sign || op == Op::random; }
 
 bool is_arithmetic(Op op) {
     return op == Op::add || op == Op::subtract || op == Op::multiply || op == Op::divide;
@@ -18,7 +18,7 @@ std::vector<bool> what_decides_jumps(const Program& program) {
         if (now->kind != Instruction::Kind::operation) continue;
         const bool passes_numbers = is_arithmetic(now->op) || is_choice(now->op) ||
                                     now->op == Op::negate || now->op == Op::abs;
-        if (!jumps(now->op) && !(passes_numbers && decides[std::size_t(now->result)])) continue;
+        if (!has_steps(now->op) && !(passes_numbers && decides[std::size_t(now->result)])) continue;
         for (std::size_t k = 0; k < now->arity; ++k) decides[std::size_t(now->operands[k])] = true;
     }
     return decides;
@@ -36,7 +36,7 @@ Stays stays(const Instruction& now, const std::vector<Stays>& known) {
     };
     if (now.op == Op::constant || now.op == Op::parameter || now.op == Op::element)
         return Stays::always;
-    if (jumps(now.op)) return Stays::over_some_boxes;
+    if (has_steps(now.op)) return Stays::over_some_boxes;
     if (now.op == Op::select) return any(2);
     if (is_choice(now.op)) return any(0);
     if (now.op == Op::negate || now.op == Op::abs) return of(0);

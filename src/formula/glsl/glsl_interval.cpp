@@ -324,8 +324,8 @@ private:
                           false);
         default: {
             const UnaryTraits& traits = *unary_traits(now.op);
-            const bool positive = traits.sign == Sign::not_negative ||
-                                  (traits.sign == Sign::as_argument && a_positive);
+            const bool positive =
+                traits.is_never_negative() || (traits.sign == Sign::as_argument && a_positive);
             const std::string_view prefix = traits.shader == Shader::built_in ? "" : "im_";
             return define(now.result, call(fmt::format("{}{}", prefix, name(now.op)), a), positive);
         }

@@ -6,6 +6,7 @@
 #include <limits>
 #include <optional>
 
+#include "formula/graph/functions.h"
 #include "formula/graph/operations.h"
 #include "formula/graph/substitute.h"
 #include "formula/interval/interval.h"
@@ -36,14 +37,12 @@ Range range(const Graph& g, NodeId id, int depth = 8) {
         const Range a = child(0), b = child(1);
         return {std::max(a.low, b.low), std::max(a.high, b.high)};
     }
-    case Op::sin:
-    case Op::cos:
-    case Op::tanh:
-        return {-1, 1};
-    case Op::sqrt:
-        return {0, infinity};
-    default:
-        return {};
+    default: {
+        const UnaryTraits* traits = unary_traits(node.op);
+        if (!traits) return {};
+        const bool is_unit = traits->extent == Extent::unit;
+        return {traits->is_never_negative() ? 0 : is_unit ? -1 : -infinity, is_unit ? 1 : infinity};
+    }
     }
 }
 

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "formula/graph/decoration.h"
+#include "formula/graph/functions.h"
 #include "formula/graph/sign.h"
 #include "formula/graph/vanishing.h"
 
@@ -72,18 +73,8 @@ NodeId is_nowhere(Graph& g, NodeId id, const std::vector<NodeId>& is_0) {
 } // namespace
 
 bool may_be_unbounded(Op op) {
-    switch (op) {
-    case Op::divide:
-    case Op::power:
-    case Op::exp:
-    case Op::log:
-    case Op::tan:
-    case Op::sinh:
-    case Op::cosh:
-        return true;
-    default:
-        return false;
-    }
+    const UnaryTraits* traits = unary_traits(op);
+    return op == Op::divide || op == Op::power || (traits && traits->extent == Extent::unbounded);
 }
 
 NodeId unless_0_to_the_0(Graph& g, NodeId base, NodeId exponent) {
@@ -97,8 +88,7 @@ NodeId unless_continuous(Graph& g, NodeId id) {
     if (node.op == Op::power)
         return g.add(unless_bounded(g, id),
                      unless_0_to_the_0(g, node.children[0], node.children[1]));
-    if (node.op == Op::floor || node.op == Op::sign || node.op == Op::random)
-        return unless_one_value(g, id);
+    if (has_steps(node.op)) return unless_one_value(g, id);
     if (node.op == Op::select && node.children[2] != node.children[3])
         return unless_without_kink(g, id);
     if (node.op == Op::pick || node.op == Op::which) return unless_one_is_least(g, node);
@@ -155,14 +145,6 @@ NodeId without_value(Graph& g, NodeId root) {
         case Op::multiply:
             none[id] = g.add(none[a], none[b]);
             break;
-        case Op::negate:
-        case Op::abs:
-        case Op::sqrt:
-        case Op::exp:
-        case Op::sin:
-        case Op::cos:
-            none[id] = none[a];
-            break;
         case Op::sum:
             none[id] = none[a] == zero ? zero : g.sum(node.index, none[a]);
             break;
@@ -171,8 +153,10 @@ NodeId without_value(Graph& g, NodeId root) {
             none[id] = then == otherwise ? then : g.select(a, b, then, otherwise);
             break;
         }
-        default: // may have values where its arguments have none
-            break;
+        default: { // others may have values where their arguments have none
+            const UnaryTraits* traits = unary_traits(node.op);
+            if (node.op == Op::negate || (traits && traits->gaps == Gaps::kept)) none[id] = none[a];
+        }
         }
     }
     return none[root];

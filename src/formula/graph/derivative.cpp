@@ -111,7 +111,7 @@ private:
         if (node.op == Op::chebyshev) return chebyshev_slope(node, argument);
         const Term a{&g_, argument}, f{&g_, id};
         switch (node.op) {
-#define ROW(name, shader, sign_, domain, slope_)                                                   \
+#define ROW(name, shader, sign_, extent, at_0, breaks, gaps, domain, slope_)                       \
     case Op::name:                                                                                 \
         return (slope_).node;
             ISOMOTION_FUNCTIONS(ROW)
@@ -157,8 +157,8 @@ private:
         return {&g_, g_.select(a.node, zero(), zero(), slope.node)};
     }
     Term within_unit(Term a, Term slope) {
-        const Op op = g_[a.node].op;
-        const bool never_leaves_it = op == Op::sin || op == Op::cos || op == Op::tanh;
+        const UnaryTraits* traits = unary_traits(g_[a.node].op);
+        const bool never_leaves_it = traits && traits->extent == Extent::unit;
         if (slopes_ != Slopes::generalized && never_leaves_it) return slope;
         return {&g_, g_.select(g_.constant(1), g_.unary(Op::abs, a.node), zero(), slope.node)};
     }

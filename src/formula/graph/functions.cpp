@@ -39,7 +39,7 @@ Term smoothmin(Term a, Term b, Term k) {
 
 // clang-format off
 constexpr std::array table{
-#define ROW(name, shader, sign, domain, slope)                                                    \
+#define ROW(name, shader, sign, extent, at_0, breaks, gaps, domain, slope)                              \
     Function{#name, "a", 1, false, unary<Op::name>,                                               \
              []([[maybe_unused]] double x) -> bool { return domain; }},
     ISOMOTION_FUNCTIONS(ROW)
@@ -70,9 +70,10 @@ const Function* find_function(std::string_view name) {
 
 const UnaryTraits* unary_traits(Op op) {
     switch (op) {
-#define ROW(name, shader, sign, domain, slope)                                                     \
+#define ROW(name, shader, sign, extent, at_0, breaks, gaps, domain, slope)                         \
     case Op::name: {                                                                               \
-        static constexpr UnaryTraits traits{Shader::shader, Sign::sign};                           \
+        static constexpr UnaryTraits traits{Shader::shader, Sign::sign,     Extent::extent,        \
+                                            At0::at_0,      Breaks::breaks, Gaps::gaps};           \
         return &traits;                                                                            \
     }
         ISOMOTION_FUNCTIONS(ROW)
@@ -81,6 +82,13 @@ const UnaryTraits* unary_traits(Op op) {
         return nullptr;
     }
 }
+
+Breaks breaks(Op op) {
+    const UnaryTraits* traits = unary_traits(op);
+    return traits ? traits->breaks : Breaks::nowhere;
+}
+
+bool has_steps(Op op) { return op == Op::random || breaks(op) == Breaks::steps; }
 
 std::string_view kernel(Op op) {
     if (op == Op::divide) return name(op);

@@ -34,14 +34,44 @@ enum class Shader : std::uint8_t {
                   // intervals
     kernel,       // a function of shaders/math/, and one of shaders/interval/
 };
-enum class Sign : std::uint8_t { any, not_negative, as_argument };
+enum class Sign : std::uint8_t { any, as_argument, not_negative, positive };
+enum class Extent : std::uint8_t {
+    unit,      // from -1 to 1
+    finite,    // where the argument is
+    unbounded, // larger than any number at some arguments, or too large for a float
+};
+enum class At0 : std::uint8_t { zero, other };
+enum class Breaks : std::uint8_t {
+    nowhere,
+    kink_at_0,
+    kink_at_1, // at 1 and -1; constant beyond
+    turn,      // turns fast near 0 if the argument has a pole, as an angle does about an axis
+    pole_at_0, // and no value below
+    poles,
+    steps, // jumps, and is constant between jumps
+};
+enum class Gaps : std::uint8_t {
+    kept, // no value where the argument has none
+    cut,  // there may be one: implementations compare the argument, or cut it off
+};
 
-// Properties that the shader writers need of operations that are functions of one argument.
+// What is known of an operation that is a function of one argument.
 struct UnaryTraits {
     Shader shader;
     Sign sign;
+    Extent extent;
+    At0 at_0;
+    Breaks breaks;
+    Gaps gaps;
+
+    bool is_never_negative() const { return sign == Sign::not_negative || sign == Sign::positive; }
 };
 const UnaryTraits* unary_traits(Op op); // null for other operations
+
+// The traits' `breaks`; nowhere for operations that are no functions of one argument.
+Breaks breaks(Op op);
+// Whether the operation jumps from value to value: functions with steps, and random.
+bool has_steps(Op op);
 
 // The kernel im_<name> that an operation calls in shaders; empty if it needs none.
 std::string_view kernel(Op op);

@@ -8,6 +8,7 @@
 
 #include <fmt/format.h>
 
+#include "formula/graph/functions.h"
 #include "formula/graph/operations.h"
 #include "formula/graph/sign.h"
 
@@ -59,17 +60,9 @@ constexpr double no_underflow = 0x1p-900;
 // What is no number stands for the entire line, which no operation but a change of sign keeps.
 bool is_exact(Op op, double a, double result) {
     if (std::isnan(a)) return op == Op::negate;
-    switch (op) {
-    case Op::negate:
-    case Op::abs:
-    case Op::sign:
-    case Op::floor:
-        return true;
-    case Op::sqrt:
-        return a == 0 || (a > no_underflow && std::fma(result, result, -a) == 0);
-    default:
-        return false;
-    }
+    if (op == Op::sqrt) return a == 0 || (a > no_underflow && std::fma(result, result, -a) == 0);
+    const UnaryTraits* traits = unary_traits(op);
+    return op == Op::negate || (traits && traits->shader != Shader::kernel);
 }
 
 // What may underflow counts as inexact.

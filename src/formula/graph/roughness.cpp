@@ -5,6 +5,7 @@
 
 #include "formula/graph/continuity.h"
 #include "formula/graph/decoration.h"
+#include "formula/graph/functions.h"
 #include "formula/graph/sign.h"
 
 namespace isomotion::formula {
@@ -51,25 +52,29 @@ std::vector<bool> smoothed(const Graph& g, NodeId root) {
 NodeId kink_of(Graph& g, NodeId id) {
     const Node node = g[id];
     const NodeId a = node.children[0], b = node.children[1], zero = g.constant(0);
+    const auto unless_one_sign = [&](NodeId of) {
+        return unless_one_value(g, g.unary(Op::sign, of));
+    };
     switch (node.op) {
-    case Op::abs:
-    case Op::sqrt: // constant below 0
-        return unless_one_value(g, g.unary(Op::sign, a));
     case Op::min:
     case Op::max:
     case Op::select:
-        return unless_one_value(g, g.unary(Op::sign, g.subtract(a, b)));
+        return unless_one_sign(g.subtract(a, b));
     case Op::least:
     case Op::pick:
         return unless_one_is_least(g, node);
-    case Op::asin:
-    case Op::acos: // constant beyond -1 and 1
-        return unless_one_value(g,
-                                g.unary(Op::sign, g.subtract(g.constant(1), g.unary(Op::abs, a))));
     case Op::power: { // where the base is 0, unless the exponent is large
         const NodeId unless_large = unless_above(g, b, g.constant(smooth_power));
         return g.select(zero, a, zero, unless_large);
     }
+    default:
+        break;
+    }
+    switch (breaks(node.op)) {
+    case Breaks::kink_at_0:
+        return unless_one_sign(a);
+    case Breaks::kink_at_1:
+        return unless_one_sign(g.subtract(g.constant(1), g.unary(Op::abs, a)));
     default:
         return zero;
     }
@@ -78,22 +83,19 @@ NodeId kink_of(Graph& g, NodeId id) {
 NodeId pole_of(Graph& g, NodeId id, double least_part) {
     const Node node = g[id];
     const NodeId a = node.children[0], b = node.children[1], zero = g.constant(0);
-    switch (node.op) {
-    case Op::divide: {
-        // Beside a pole a quotient turns as fast as its denominator comes to a part of itself.
-        const NodeId size = g.unary(Op::abs, b);
+    const auto unless_far = [&](NodeId size) {
         return unless_above(g, size, g.multiply(g.constant(least_part), size));
-    }
-    case Op::atan: { // an angle about an axis turns as fast as 1 + u^2, the inverse of its slope
+    };
+    // Beside a pole a quotient turns as fast as its denominator comes to a part of itself.
+    if (node.op == Op::divide) return unless_far(g.unary(Op::abs, b));
+    if (node.op == Op::power) return g.select(zero, a, zero, unless_above(g, b, zero));
+    switch (breaks(node.op)) {
+    case Breaks::turn: // as fast as 1 + u^2, the inverse of its slope
         if (g[a].op != Op::divide || g.is_constant(g[a].children[1])) return zero;
-        const NodeId size = g.add(g.constant(1), g.multiply(a, a));
-        return unless_above(g, size, g.multiply(g.constant(least_part), size));
-    }
-    case Op::power:
-        return g.select(zero, a, zero, unless_above(g, b, zero));
-    case Op::log:
+        return unless_far(g.add(g.constant(1), g.multiply(a, a)));
+    case Breaks::pole_at_0:
         return unless_above(g, a, zero);
-    case Op::tan:
+    case Breaks::poles:
         return unless_bounded(g, id);
     default:
         return zero;
@@ -112,8 +114,7 @@ Roughness roughness(Graph& g, NodeId root, double least_part) {
         const Op op = g[id].op;
         const bool is_smoothed = is_0_at_kink(g, g[id]) && is_smooth[id];
         if (!is_smoothed) add(found.kinks, kink_of(g, id));
-        if (op == Op::floor || op == Op::sign || op == Op::random || op == Op::select ||
-            op == Op::pick)
+        if (has_steps(op) || op == Op::select || op == Op::pick)
             add(found.jumps, unless_continuous(g, id));
         const bool is_log_of_positive = op == Op::log && is_positive[g[id].children[0]];
         if (!is_log_of_positive) add(found.poles, pole_of(g, id, least_part));

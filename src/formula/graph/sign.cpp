@@ -18,11 +18,6 @@ double most_magnitude(const Graph& g, NodeId id, int depth) {
     switch (node.op) {
     case Op::constant:
         return std::isnan(node.value) ? HUGE_VAL : std::abs(node.value);
-    case Op::sin:
-    case Op::cos:
-    case Op::tanh:
-    case Op::sign:
-        return 1;
     case Op::negate:
     case Op::abs:
         return child(0);
@@ -34,8 +29,10 @@ double most_magnitude(const Graph& g, NodeId id, int depth) {
     case Op::min:
     case Op::max:
         return std::max(child(0), child(1));
-    default:
-        return HUGE_VAL;
+    default: {
+        const UnaryTraits* traits = unary_traits(node.op);
+        return traits && traits->extent == Extent::unit ? 1 : HUGE_VAL;
+    }
     }
 }
 
@@ -108,8 +105,7 @@ bool is_never_negative(const Graph& g, NodeId id, int depth) {
     default: {
         const UnaryTraits* traits = unary_traits(node.op);
         if (!traits) return false;
-        return traits->sign == Sign::not_negative ||
-               (traits->sign == Sign::as_argument && child(0));
+        return traits->is_never_negative() || (traits->sign == Sign::as_argument && child(0));
     }
     }
 }
@@ -127,10 +123,6 @@ std::vector<bool> positives(const Graph& g, NodeId root) {
         const auto [a, b, c, d] = node.children;
         if (node.may_have_gaps) continue;
         switch (node.op) {
-        case Op::exp:
-        case Op::cosh:
-            found[id] = true;
-            break;
         case Op::constant:
             found[id] = node.value > 0 && std::isfinite(node.value);
             break;
@@ -145,8 +137,10 @@ std::vector<bool> positives(const Graph& g, NodeId root) {
         case Op::subtract:
             found[id] = is_1_or_more(a) && is_tanh(b);
             break;
-        default:
-            break;
+        default: {
+            const UnaryTraits* traits = unary_traits(node.op);
+            found[id] = traits && traits->sign == Sign::positive;
+        }
         }
     }
     return found;

@@ -2,6 +2,7 @@
 
 #include <array>
 
+#include "formula/graph/functions.h"
 #include "formula/graph/substitute.h"
 
 namespace isomotion::formula {
@@ -26,15 +27,6 @@ std::vector<NodeId> vanishing(Graph& g, NodeId root) {
             is_0[id] = g.select(zero, g.unary(Op::abs, id), zero, one);
             break;
         case Op::negate:
-        case Op::abs:
-        case Op::sqrt:
-        case Op::sin:
-        case Op::tan:
-        case Op::sinh:
-        case Op::tanh:
-        case Op::asin:
-        case Op::atan:
-        case Op::sign:
             is_0[id] = is_0[a];
             break;
         case Op::floor:
@@ -74,8 +66,10 @@ std::vector<NodeId> vanishing(Graph& g, NodeId root) {
                 is_0[id] = g.select(others, g.constant(0.5), one, zero);
             }
             break;
-        default:
-            break;
+        default: {
+            const UnaryTraits* traits = unary_traits(node.op);
+            if (traits && traits->at_0 == At0::zero) is_0[id] = is_0[a];
+        }
         }
     }
     return is_0;

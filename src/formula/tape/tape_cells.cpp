@@ -8,6 +8,7 @@
 #include <stdexcept>
 
 #include "base/workers.h"
+#include "formula/graph/functions.h"
 
 namespace isomotion::formula {
 namespace {
@@ -23,17 +24,8 @@ constexpr double shorter = 0.6;
 constexpr double around_for_points = 0.0625, around_for_boxes = 0.25;
 
 bool decides(const TapeStep& step) {
-    switch (step.op) {
-    case Op::abs:
-    case Op::sign:
-    case Op::floor:
-    case Op::min:
-    case Op::max:
-    case Op::select:
-        return true;
-    default:
-        return false;
-    }
+    return has_steps(step.op) || step.op == Op::abs || step.op == Op::min || step.op == Op::max ||
+           step.op == Op::select;
 }
 
 std::size_t cells_of(int level) { return std::size_t(1) << (3 * level); }

@@ -62,35 +62,40 @@ float beyond(double end) {
 // Where the operation on the intervals a and b may not be smooth, v being its values; empty if it
 // always is.
 std::string rough_where(Op op) {
+    // Beside a pole, as fast as what is divided by comes to a part of itself.
+    const auto unless_far = [](const std::string& low, const std::string& high) {
+        return fmt::format("!({} > {} * {})", low, least_part_of_pieces, high);
+    };
     switch (op) {
-    case Op::abs:
-    case Op::sqrt:
-        return "!(a.x > 0.0 || a.y < 0.0)";
     case Op::min:
     case Op::max:
         return "!(a.y < b.x || b.y < a.x)";
     case Op::select:
         return "!(held_a.y < held_b.x || held_b.y < held_a.x)";
-    case Op::asin:
-    case Op::acos:
-        return "!(im_abs(a).y < 1.0 || im_abs(a).x > 1.0)";
     case Op::power:
         return fmt::format("!(a.x > 0.0 || b.x > {:.1f})", smooth_power);
-    case Op::floor:
-    case Op::sign:
-        return "v.x != v.y";
-    case Op::divide: // beside a pole, as fast as its denominator comes to a part of itself
-        return fmt::format("!(im_abs(b).x > {} * im_abs(b).y)", least_part_of_pieces);
-    case Op::atan:
-        return fmt::format("!(1.0 + im_square(a).x > {} * (1.0 + im_square(a).y))",
-                           least_part_of_pieces);
-    case Op::log:
-        return "!(a.x > 0.0)";
-    case Op::tan:
-        return "!(v.x > -IM_LARGEST && v.y < IM_LARGEST)";
+    case Op::divide:
+        return unless_far("im_abs(b).x", "im_abs(b).y");
     default:
-        return "";
+        break;
     }
+    switch (breaks(op)) {
+    case Breaks::nowhere:
+        return "";
+    case Breaks::kink_at_0:
+        return "!(a.x > 0.0 || a.y < 0.0)";
+    case Breaks::kink_at_1:
+        return "!(im_abs(a).y < 1.0 || im_abs(a).x > 1.0)";
+    case Breaks::turn:
+        return unless_far("1.0 + im_square(a).x", "(1.0 + im_square(a).y)");
+    case Breaks::pole_at_0:
+        return "!(a.x > 0.0)";
+    case Breaks::poles:
+        return "!(v.x > -IM_LARGEST && v.y < IM_LARGEST)";
+    case Breaks::steps:
+        return "v.x != v.y";
+    }
+    return "";
 }
 
 // The operation's result v, as exact.glsl keeps it.

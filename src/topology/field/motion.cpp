@@ -10,6 +10,7 @@
 #include "animation/rules.h"
 #include "formula/graph/chebyshev_form.h"
 #include "formula/graph/continuity.h"
+#include "formula/graph/functions.h"
 #include "formula/graph/lowering.h"
 #include "formula/graph/substitute.h"
 #include "topology/field/idle_parts.h"
@@ -282,7 +283,7 @@ void find_steps(const Motion& motion, std::vector<std::string>& doubts) {
     const std::vector<bool> rests = resting(motion.graph, below);
     for (const NodeId id : below) {
         const Op op = motion.graph[id].op;
-        if (op != Op::floor && op != Op::sign && op != Op::random) continue;
+        if (!formula::has_steps(op)) continue;
         if (rests[id]) continue;
         const std::string doubt = fmt::format(
             "'{}' steps from value to value; what changes at a step is not seen", name(op));
