@@ -1,14 +1,18 @@
 // The table of functions, and what the parser, the names and the documents make of it.
 #include "formula/graph/functions.h"
 
+#include <algorithm>
+#include <array>
 #include <cctype>
 #include <cmath>
 #include <fstream>
 #include <set>
 #include <sstream>
+#include <vector>
 
 #include <fmt/format.h>
 
+#include "formula/graph/operations.h"
 #include "testing.h"
 
 namespace isomotion::formula {
@@ -74,6 +78,91 @@ TEST(Functions, AreDefinedForConstantsWhereTheyHaveAValue) {
                 EXPECT_THROW(parse(graph, text), ParseError) << text;
             }
         }
+    }
+}
+
+// Of doubles, by the table of operations.
+double result_of(Op op, double x) {
+    using Do = Operations<double>;
+    switch (op) {
+#define ROW(name, ...)                                                                             \
+    case Op::name:                                                                                 \
+        return Do::name(x);
+        ISOMOTION_FUNCTIONS(ROW)
+#undef ROW
+    default:
+        ADD_FAILURE() << "no function of one argument: " << int(op);
+        return 0;
+    }
+}
+
+constexpr std::array functions_of_one{
+#define ROW(name, ...) Op::name,
+    ISOMOTION_FUNCTIONS(ROW)
+#undef ROW
+};
+
+// What the rows say of signs, extents and zeros, at points of every size on both sides.
+TEST(Functions, HaveTheValuesThatTheirRowsSay) {
+    std::vector<double> points{0};
+    for (int k = -60; k <= 60; ++k) {
+        for (const double sign : {-1.0, 1.0}) points.push_back(sign * std::pow(1.3, k));
+    }
+    constexpr double large = 1e6; // beyond what a finite function makes of the points
+    for (const Op op : functions_of_one) {
+        const UnaryTraits& row = *unary_traits(op);
+        double most = 0;
+        for (const double x : points) {
+            const double f = result_of(op, x);
+            const std::string where = fmt::format("{}({}) = {}", name(op), x, f);
+            if (row.is_never_negative()) {
+                EXPECT_GE(f, 0) << where;
+            }
+            if (row.sign == Sign::positive && std::abs(x) < 100) {
+                EXPECT_GT(f, 0) << where;
+            }
+            if (row.sign == Sign::as_argument && x >= 0) {
+                EXPECT_GE(f, 0) << where;
+            }
+            if (row.extent == Extent::unit) {
+                EXPECT_LE(std::abs(f), 1) << where;
+            }
+            if (row.extent == Extent::finite) {
+                EXPECT_LE(std::abs(f), std::abs(x) + 4) << where;
+            }
+            most = std::max(most, std::abs(f));
+        }
+        const bool has_pole = row.breaks == Breaks::pole_at_0 || row.breaks == Breaks::poles;
+        if (row.extent == Extent::unbounded && !has_pole) {
+            EXPECT_GT(most, large) << name(op);
+        }
+        if (has_pole) {
+            EXPECT_EQ(row.extent, Extent::unbounded) << name(op);
+        }
+        EXPECT_EQ(result_of(op, 0) == 0, row.at_0 == At0::zero) << name(op);
+    }
+}
+
+// Slopes to both sides of the places where a function may break.
+TEST(Functions, BreakWhereTheirRowsSay) {
+    constexpr double h = 1e-7;
+    const auto bends_at = [](Op op, double x) {
+        const double f = result_of(op, x);
+        const double left = (f - result_of(op, x - h)) / h, right = (result_of(op, x + h) - f) / h;
+        constexpr double of_a_jump = 1e5; // a slope that no function has here
+        return !(std::abs(left - right) < 1e-3 && std::abs(left) < of_a_jump);
+    };
+    for (const Op op : functions_of_one) {
+        const Breaks row = breaks(op);
+        const bool bends_at_0 = bends_at(op, 0), bends_at_1 = bends_at(op, 1);
+        EXPECT_EQ(bends_at_0,
+                  row == Breaks::kink_at_0 || row == Breaks::pole_at_0 || row == Breaks::steps)
+            << name(op);
+        EXPECT_EQ(bends_at_1, row == Breaks::kink_at_1 || op == Op::floor) << name(op);
+        EXPECT_FALSE(bends_at(op, 0.3)) << name(op);
+        const bool is_flat = result_of(op, 0.3) == result_of(op, 0.4);
+        EXPECT_EQ(is_flat, row == Breaks::steps) << name(op);
+        EXPECT_EQ(has_steps(op), row == Breaks::steps) << name(op);
     }
 }
 

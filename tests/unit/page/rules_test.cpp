@@ -6,6 +6,8 @@
 #include <gmock/gmock.h>
 #include <nlohmann/json.hpp>
 
+#include "formula/graph/functions.h"
+#include "page/embedded_files.h"
 #include "scene/reading/load.h"
 
 namespace isomotion::page {
@@ -17,6 +19,15 @@ scene::Scene with_parameters(const std::string& parameters) {
                             "bounds = { sphere = 'a + 1' }\n[parameters]\n" +
                                 parameters,
                             "rules.toml");
+}
+
+TEST(Rules, HaveEachFunctionOfOneArgument) {
+    const std::string_view script = embedded_files().at("rules.js");
+    for (const formula::Function& function : formula::functions()) {
+        if (!function.has_value) continue;
+        const std::string entry = "\n    " + std::string(function.name) + ": ";
+        EXPECT_NE(script.find(entry), std::string_view::npos) << function.name;
+    }
 }
 
 TEST(Rules, ComeAfterWhatTheyDependOn) {
