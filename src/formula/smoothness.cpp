@@ -15,6 +15,7 @@
 #include "formula/graph/log_sums.h"
 #include "formula/graph/roughness.h"
 #include "formula/graph/squares.h"
+#include "formula/interval/prune.h"
 #include "formula/line_probe.h"
 
 namespace isomotion::formula {
@@ -22,8 +23,8 @@ namespace {
 
 using Box = std::array<Interval, 3>;
 
-constexpr int most_halvings = 21; // 128 cells along each axis
-constexpr int most_elements = 64; // that are looked at, each alone
+constexpr double smallest = 0x1.01p-7; // 128 cells along each axis, but for rounding
+constexpr int most_elements = 64;      // that are looked at, each alone
 constexpr auto each_quadric = std::size_t(ElementKernels::coefficients_each);
 
 bool is_0(const Interval& decoration) { return decoration == Interval{0, 0}; }
@@ -36,21 +37,17 @@ public:
         : program_(program)
         , left_(evaluations) {}
 
-    bool holds(const Region& region) { return holds(region.bindings, region.box, 0); }
-
-private:
-    bool holds(const Bindings<Interval>& bindings, const Box& box, int halvings) {
-        std::array<Interval, 2> told;
-        program_.point(bindings, box, told);
-        if (is_0(told[1]) || told[0].lo > 0 || told[0].hi < 0) return true;
-        if (halvings == most_halvings || (left_ -= 2) < 0) return false;
-        std::array parts{box, box};
-        const auto axis = std::size_t(halvings % 3);
-        const double middle = mid(box[axis]);
-        parts[0][axis].hi = parts[1][axis].lo = middle;
-        return holds(bindings, parts[0], halvings + 1) && holds(bindings, parts[1], halvings + 1);
+    bool holds(const Region& region) {
+        return prune(region.box, [&](const Box& box) {
+            std::array<Interval, 2> told;
+            program_.point(region.bindings, box, told);
+            if (is_0(told[1]) || told[0].lo > 0 || told[0].hi < 0) return Judged::settled;
+            const bool is_small = longest_side(box, region.box).part <= smallest;
+            return is_small || (left_ -= 2) < 0 ? Judged::refused : Judged::open;
+        });
     }
 
+private:
     Evaluator<Interval> program_;
     double left_;
 };

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "formula/enclosure.h"
+#include "formula/interval/prune.h"
 #include "probe/sample_points.h"
 #include "probe/unbounded.h"
 
@@ -16,7 +17,7 @@ namespace {
 using scene::BoundsAt, scene::Bounds, scene::Camera, scene::OneSurface, scene::OneSurfaceAt,
     scene::SectionAt;
 
-using formula::Interval;
+using formula::Interval, formula::Judged;
 
 constexpr double most_operations = 2e7;
 constexpr int fewest_points = 128; // of faces, to tell whether a surface ends within them
@@ -60,33 +61,34 @@ public:
         , left_(evaluations) {}
 
     std::optional<Interval> values() {
+        constexpr double smallest = 0x1.01p-7; // 128 cells along each axis, but for rounding
         const glm::dvec3 &a = bounds_.min, &b = bounds_.max;
-        if (!keeps_off_0({Interval{a.x, b.x}, Interval{a.y, b.y}, Interval{a.z, b.z}}, 0))
-            return std::nullopt;
-        return all_;
+        const std::array whole{Interval{a.x, b.x}, Interval{a.y, b.y}, Interval{a.z, b.z}};
+        const bool keeps_off_0 = prune(whole, [&](const std::array<Interval, 3>& box) {
+            if (is_outside(box) || tells_sign(box)) return Judged::settled;
+            const bool is_small = longest_side(box, whole).part <= smallest;
+            return is_small || (left_ -= 2) < 0 ? Judged::refused : Judged::open;
+        });
+        return keeps_off_0 ? all_ : std::nullopt;
     }
 
 private:
-    bool keeps_off_0(const std::array<Interval, 3>& box, int halvings) {
-        if (bounds_.shape == Bounds::Shape::sphere) {
-            Interval off = 0;
-            for (int k = 0; k < 3; ++k) {
-                const Interval d = box[std::size_t(k)] - Interval(bounds_.centre[k]);
-                off = off + d * d;
-            }
-            if (off.lo > bounds_.radius * bounds_.radius) return true;
+    bool is_outside(const std::array<Interval, 3>& box) const {
+        if (bounds_.shape != Bounds::Shape::sphere) return false;
+        Interval off = 0;
+        for (int k = 0; k < 3; ++k) {
+            const Interval d = box[std::size_t(k)] - Interval(bounds_.centre[k]);
+            off = off + d * d;
         }
+        return off.lo > bounds_.radius * bounds_.radius;
+    }
+
+    bool tells_sign(const std::array<Interval, 3>& box) {
         Interval f;
         value_.point(bindings_, box, {&f, 1});
-        if (f.lo > 0 || f.hi < 0) {
-            all_ = all_ ? hull(*all_, f) : f;
-            return true;
-        }
-        if (halvings == 21 || (left_ -= 2) < 0) return false;
-        std::array parts{box, box};
-        const auto axis = std::size_t(halvings % 3);
-        parts[0][axis].hi = parts[1][axis].lo = mid(box[axis]);
-        return keeps_off_0(parts[0], halvings + 1) && keeps_off_0(parts[1], halvings + 1);
+        if (!(f.lo > 0 || f.hi < 0)) return false;
+        all_ = all_ ? hull(*all_, f) : f;
+        return true;
     }
 
     formula::Evaluator<Interval> value_;

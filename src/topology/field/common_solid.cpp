@@ -8,6 +8,7 @@
 
 #include "formula/graph/lowering.h"
 #include "formula/graph/substitute.h"
+#include "formula/interval/prune.h"
 #include "scene/error.h"
 #include "topology/field/relative_placement.h"
 
@@ -16,6 +17,7 @@ namespace {
 
 using formula::Graph;
 using formula::Interval;
+using formula::Judged;
 using formula::Node;
 using formula::NodeId;
 using formula::Op;
@@ -121,33 +123,14 @@ bool keeps_within_bounds(const Pair& pair) {
                              [](Interval side) { return std::isfinite(side.hi - side.lo); }))
         return false;
     double operations = 0;
-    std::vector<std::array<Interval, 4>> stack{domain};
-    for (int boxes = 0; !stack.empty(); ++boxes) {
-        if (boxes == most_boxes || operations > most_operations) return false;
-        const std::array<Interval, 4> box = stack.back();
-        stack.pop_back();
+    int boxes = 0;
+    return formula::prune(domain, [&](const std::array<Interval, 4>& box) {
+        if (boxes++ == most_boxes || operations > most_operations) return Judged::refused;
         operations += bounds.operations();
-        if (bounds(box).hi < 0) continue;
+        if (bounds(box).hi < 0) return Judged::settled;
         operations += first.operations() + second.operations();
-        if (first(box).lo > 0 || second(box).lo > 0) continue;
-        std::size_t longest = 0;
-        double most = 0;
-        for (std::size_t k = 0; k < 4; ++k) {
-            const double whole = domain[k].hi - domain[k].lo;
-            const double part = whole > 0 ? (box[k].hi - box[k].lo) / whole : 0;
-            if (part > most) {
-                most = part;
-                longest = k;
-            }
-        }
-        const double middle = mid(box[longest]);
-        if (!(box[longest].lo < middle && middle < box[longest].hi)) return false;
-        stack.push_back(box);
-        stack.back()[longest].hi = middle;
-        stack.push_back(box);
-        stack.back()[longest].lo = middle;
-    }
-    return true;
+        return first(box).lo > 0 || second(box).lo > 0 ? Judged::settled : Judged::open;
+    });
 }
 
 Motion common(Pair pair) {

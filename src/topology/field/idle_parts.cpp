@@ -6,12 +6,14 @@
 #include <vector>
 
 #include "formula/graph/substitute.h"
+#include "formula/interval/prune.h"
 
 namespace isomotion::topology {
 namespace {
 
 using formula::Graph;
 using formula::Interval;
+using formula::Judged;
 using formula::Node;
 using formula::NodeId;
 using formula::Op;
@@ -59,29 +61,15 @@ bool is_never_0(const Motion& motion, NodeId id, const Inputs& everywhere) {
     const formula::Program program = formula::schedule(motion.graph, std::array{id});
     const auto bindings = formula::convert<Interval>(motion.bindings);
     formula::Evaluator<Interval> evaluator(program);
-    std::vector<Inputs> open{everywhere};
-    for (int asked = 0; !open.empty(); ++asked) {
-        Inputs inputs = open.back();
-        open.pop_back();
+    int asked = 0;
+    const formula::Sides places_and_clock{0, clock_input + 1};
+    return formula::prune(everywhere, everywhere, places_and_clock, [&](const Inputs& inputs) {
         Interval value;
         evaluator.point(bindings, inputs, {&value, 1});
-        if (!contains(value, 0.0)) continue;
-        if (asked >= most_asked) return false;
-        std::size_t side = 0; // the longest, as a part of the whole
-        double most = 0;
-        for (std::size_t k = 0; k <= clock_input; ++k) {
-            const double whole = everywhere[k].hi - everywhere[k].lo;
-            const double part = whole > 0 ? (inputs[k].hi - inputs[k].lo) / whole : 0;
-            if (part <= most) continue;
-            most = part;
-            side = k;
-        }
-        Inputs half = inputs;
-        half[side].hi = inputs[side].lo = mid(inputs[side]);
-        open.push_back(half);
-        open.push_back(inputs);
-    }
-    return true;
+        ++asked;
+        if (!contains(value, 0.0)) return Judged::settled;
+        return asked > most_asked ? Judged::refused : Judged::open;
+    });
 }
 
 // Drops what is added to the field for quotients that are nowhere 0/0.

@@ -13,6 +13,7 @@
 #include "formula/graph/functions.h"
 #include "formula/graph/lowering.h"
 #include "formula/graph/substitute.h"
+#include "formula/interval/prune.h"
 #include "topology/field/idle_parts.h"
 #include "topology/field/monotone_track.h"
 
@@ -21,6 +22,7 @@ namespace {
 
 using formula::Graph;
 using formula::Interval;
+using formula::Judged;
 using formula::Node;
 using formula::NodeId;
 using formula::Op;
@@ -259,23 +261,21 @@ void find_not_positive(const Graph& graph, std::span<const NodeId> lengths, Inte
             spans.push_back(time);
         }
     };
-    constexpr int most_halvings = 14;
-    std::vector<std::pair<Interval, int>> stack{{clock, 0}};
-    while (!stack.empty()) {
-        const auto [time, halvings] = stack.back();
-        stack.pop_back();
-        evaluator.point(bindings, {&time, 1}, values);
-        if (std::ranges::all_of(values, [](Interval value) { return value.lo > 0; })) continue;
+    constexpr double smallest = 0x1.01p-14; // part of the clock, but for rounding
+    formula::prune(std::array{clock}, [&](const std::array<Interval, 1>& part) {
+        const Interval time = part[0];
+        evaluator.point(bindings, part, values);
+        if (std::ranges::all_of(values, [](Interval value) { return value.lo > 0; }))
+            return Judged::settled;
         const double middle = mid(time);
         const bool collapses_all =
             std::ranges::any_of(values, [](Interval value) { return value.hi <= 0; });
-        if (collapses_all || halvings == most_halvings || !(time.lo < middle && middle < time.hi)) {
-            add(time);
-            continue;
-        }
-        stack.push_back({{middle, time.hi}, halvings + 1});
-        stack.push_back({{time.lo, middle}, halvings + 1});
-    }
+        const bool is_small = formula::longest_side(part, std::array{clock}).part <= smallest;
+        if (!collapses_all && !is_small && time.lo < middle && middle < time.hi)
+            return Judged::open;
+        add(time);
+        return Judged::settled;
+    });
 }
 
 void find_steps(const Motion& motion, std::vector<std::string>& doubts) {

@@ -5,6 +5,7 @@
 #include <map>
 
 #include "base/workers.h"
+#include "formula/interval/prune.h"
 #include "topology/field/rising.h"
 #include "topology/search/critical_system.h"
 #include "topology/search/stratum_places.h"
@@ -12,7 +13,7 @@
 namespace isomotion::topology {
 namespace {
 
-using formula::Interval;
+using formula::Interval, formula::Judged;
 using Branch = KinkTree::Branch;
 
 // Smooth formulas that a box may be asked for.
@@ -99,47 +100,26 @@ public:
         , smallest_(searching.smallest) {}
 
     KinkedResult run(const Box& box) {
-        std::vector<Box> open{box};
-        while (!open.empty()) {
-            if (is_stopped()) break;
+        const auto judge = [&](const Box& now) {
+            if (is_stopped()) return Judged::refused;
             worker_.forget_formulas();
-            const Box now = open.back();
-            open.pop_back();
             ++found_.work.boxes;
-            if (is_settled(now)) continue;
-            const auto side = side_to_halve(now);
-            if (!side) {
-                found_.unresolved.push_back(now);
-                if (found_.unresolved.size() % too_many_kinked == 0) smallest_ *= 4;
-                continue;
-            }
-            Box low = now, high = now;
-            low[*side].hi = high[*side].lo = mid(now[*side]);
-            open.push_back(low);
-            open.push_back(high);
-        }
+            if (is_settled(now)) return Judged::settled;
+            if (size(now) > smallest_) return Judged::open;
+            found_.unresolved.push_back(now);
+            if (found_.unresolved.size() % too_many_kinked == 0) smallest_ *= 4;
+            return Judged::settled;
+        };
+        formula::prune(box, worker_.whole().domain(), sides(), judge);
         return std::move(found_);
     }
 
 private:
     bool is_stopped() const { return searching_.stopped && searching_.stopped(); }
 
-    double part(const Box& box, std::size_t k) const {
-        const Interval whole = worker_.whole().domain()[k];
-        return whole.hi > whole.lo ? (box[k].hi - box[k].lo) / (whole.hi - whole.lo) : 0;
-    }
-    std::optional<std::size_t> side_to_halve(const Box& box) const {
-        std::optional<std::size_t> widest;
-        for (std::size_t k = 0; k <= d_; ++k) {
-            if (!(part(box, k) > smallest_)) continue;
-            if (!widest || part(box, k) > part(box, *widest)) widest = k;
-        }
-        return widest;
-    }
+    formula::Sides sides() const { return {0, d_ + 1}; }
     double size(const Box& box) const {
-        double most = 0;
-        for (std::size_t k = 0; k <= d_; ++k) most = std::max(most, part(box, k));
-        return most;
+        return formula::longest_side(box, worker_.whole().domain(), sides()).part;
     }
 
     bool is_settled(const Box& box) {
@@ -221,30 +201,19 @@ private:
     Verdict solve_parts(Worker::Formula& formula, const Branch& branch, const Box& all) {
         const MovingField& field = formula.field();
         const auto d = std::size_t(field.dimension());
-        std::vector<Box> open{all};
+        const formula::Sides multipliers{d, field.clock()};
+        const bool is_alone = field.clock() < d + 2;
         Verdict verdict = Verdict::nothing;
-        for (int tries = 0; !open.empty(); ++tries) {
-            const Box now = open.back();
-            open.pop_back();
+        int tries = 0;
+        const auto judge = [&](const Box& now) {
             const Verdict here = solve(formula, branch, now);
             if (here == Verdict::point) verdict = here;
-            if (here != Verdict::open) continue;
-            std::optional<std::size_t> widest;
-            double width = narrowest_part;
-            for (std::size_t k = d; k < field.clock(); ++k) {
-                const double part = (now[k].hi - now[k].lo) / (all[k].hi - all[k].lo);
-                if (!(part > width)) continue;
-                width = part;
-                widest = k;
-            }
-            const bool is_alone = field.clock() < d + 2;
-            if (!widest || is_alone || tries > most_parts) return Verdict::open;
-            Box low = now, high = now;
-            low[*widest].hi = high[*widest].lo = mid(now[*widest]);
-            open.push_back(low);
-            open.push_back(high);
-        }
-        return verdict;
+            if (here != Verdict::open) return Judged::settled;
+            const bool is_narrow =
+                formula::longest_side(now, all, multipliers).part <= narrowest_part;
+            return is_narrow || is_alone || tries++ > most_parts ? Judged::refused : Judged::open;
+        };
+        return formula::prune(all, all, multipliers, judge) ? verdict : Verdict::open;
     }
 
     // Beside a cone the multipliers' reach is 1: no slopes there are 0 together.
