@@ -142,8 +142,9 @@ void Animation::compile_tracks() {
     for (std::size_t k = 0; k < tracks_.size(); ++k) {
         const auto* expression = std::get_if<Expression>(&tracks_[k].source);
         if (!expression) continue;
-        compiled_[k] = compile(tracks_[k].name, expression->text, names);
-        for (const int other : compiled_[k]->references) referenced_[std::size_t(other)] = true;
+        const Compiled& compiled =
+            compiled_[k].emplace(compile(tracks_[k].name, expression->text, names));
+        for (const int other : compiled.references) referenced_[std::size_t(other)] = true;
     }
     order_ = dependency_order(
         tracks_.size(),
@@ -170,8 +171,8 @@ void Animation::compile_array(const Array& array) {
         const auto* expression = std::get_if<Expression>(&array.fields[f].source);
         if (!expression) continue;
         const std::string owner = array.name + "." + array.fields[f].name;
-        compiled.fields[f] = compile(owner, expression->text, names);
-        for (const int other : compiled.fields[f]->references) {
+        const Compiled& field = compiled.fields[f].emplace(compile(owner, expression->text, names));
+        for (const int other : field.references) {
             if (other < tracks) {
                 referenced_[std::size_t(other)] = true;
             } else {
@@ -245,10 +246,9 @@ Values Animation::at(double time) const {
             value = *number;
         } else if (const auto* keys = std::get_if<Keys>(&source)) {
             value = keys->at(time);
-        } else {
+        } else if (const auto& compiled = compiled_[index]) {
             double result = 0;
-            formula::Evaluator<double>(compiled_[index]->program)
-                .point(bindings, {&time, 1}, {&result, 1});
+            formula::Evaluator<double>(compiled->program).point(bindings, {&time, 1}, {&result, 1});
             value = result;
         }
     }
@@ -284,12 +284,11 @@ formula::ArrayColumns<double> Animation::columns(std::size_t a, const Values& va
             column.resize(count);
         } else if (const auto* data = std::get_if<Column>(&array.fields[field].source)) {
             column = sampled.fields[data->index]; // two fields may be one column
-        } else {
-            const Compiled& expression = *compiled.fields[field];
-            formula::Evaluator<double> evaluator(expression.program);
+        } else if (const auto& expression = compiled.fields[field]) {
+            formula::Evaluator<double> evaluator(expression->program);
             column.resize(count);
             for (std::size_t i = 0; i < count; ++i) {
-                for (const int other : expression.references) {
+                for (const int other : expression->references) {
                     if (std::size_t(other) < tracks) continue;
                     bindings.parameters[std::size_t(other)] =
                         columns.fields[std::size_t(other) - tracks][i];

@@ -54,15 +54,19 @@ ElementSamples ElementSamples::only(std::vector<bool> columns) const {
     return samples;
 }
 
-bool ElementSamples::is_curved(std::size_t column) const {
-    return interpolation_ == Interpolation::hermite && source_->velocity_of(column).has_value();
+std::optional<std::size_t> ElementSamples::velocity_of(std::size_t column) const {
+    if (interpolation_ != Interpolation::hermite) return std::nullopt;
+    return source_->velocity_of(column);
 }
+
+bool ElementSamples::is_curved(std::size_t column) const { return velocity_of(column).has_value(); }
 
 // The columns that are read, and the velocities of those that need them.
 std::vector<bool> ElementSamples::needed() const {
     std::vector<bool> columns = reads_;
     for (std::size_t c = 0; c < reads_.size(); ++c) {
-        if (reads_[c] && is_curved(c)) columns[*source_->velocity_of(c)] = true;
+        const auto velocity = velocity_of(c);
+        if (reads_[c] && velocity) columns[*velocity] = true;
     }
     return columns;
 }
@@ -145,12 +149,11 @@ ElementSamples::Span ElementSamples::span(double time) const {
         span.begin.fields[c] = exact(here, c);
         span.end[c] = span.begin.fields[c];
         std::span<const double> leaving, arriving; // velocities
-        if (is_curved(c)) {
+        if (const auto velocity = velocity_of(c)) {
             span.begin_velocity[c].resize(here.count);
             span.end_velocity[c].resize(here.count);
-            const std::size_t velocity = *source_->velocity_of(c);
-            leaving = here.columns[velocity];
-            if (around.moves) arriving = there.columns[velocity];
+            leaving = here.columns[*velocity];
+            if (around.moves) arriving = there.columns[*velocity];
         }
         if (!around.moves) continue;
         const double factor = factors_[c], unit = factor * around.seconds;
@@ -193,7 +196,8 @@ ElementSamples::Change ElementSamples::change(std::size_t k) const {
     if (k == 0) return {}; // before the first sample it is there already
     {
         const std::lock_guard lock(memo_->mutex);
-        if (memo_->changes[k]) return *memo_->changes[k];
+        const auto& known = memo_->changes[k];
+        if (known) return *known;
     }
     const Change found = find_change(k);
     const std::lock_guard lock(memo_->mutex);
@@ -215,9 +219,10 @@ void ElementSamples::add_rows(base::Fingerprint& print) const {
     print.add_values(std::span<const double>(&rule, 1));
     source_->add_rows(print);
     for (std::size_t c = 0; c < reads_.size(); ++c) {
-        if (!reads_[c] || !is_curved(c)) continue;
+        const auto velocity = velocity_of(c);
+        if (!reads_[c] || !velocity) continue;
         print.add("velocity");
-        source_->add_column(print, *source_->velocity_of(c));
+        source_->add_column(print, *velocity);
     }
 }
 

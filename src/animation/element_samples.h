@@ -8,6 +8,7 @@
 
 #include <cstdint>
 #include <mutex>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -85,6 +86,8 @@ private:
         std::vector<std::optional<Change>> changes;
     };
 
+    // The column with the velocity by which a column's values move.
+    std::optional<std::size_t> velocity_of(std::size_t column) const;
     std::vector<double> exact(const SampleSource::Sample& sample, std::size_t column) const;
     Pair pair(double time) const;
     std::vector<bool> needed() const;

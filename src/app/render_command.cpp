@@ -17,8 +17,9 @@ namespace isomotion::app {
 namespace {
 
 // The scene with the methods of --max-wrong; none if no setting is that accurate.
-std::optional<Scene> with_methods_chosen(const RenderArguments& arguments, const Scene& scene,
-                                         const std::vector<int>& frames, Device& device) {
+std::optional<Scene> with_methods_chosen(double max_wrong, const RenderArguments& arguments,
+                                         const Scene& scene, const std::vector<int>& frames,
+                                         Device& device) {
     Choice choice;
     {
         Progress progress("measuring", 1000, arguments.quiet);
@@ -26,7 +27,7 @@ std::optional<Scene> with_methods_chosen(const RenderArguments& arguments, const
             progress.show(int(1000 * part), what);
         }};
         choice = choose_methods(device, scene,
-                                {.most_wrong_ppm = *arguments.max_wrong,
+                                {.most_wrong_ppm = max_wrong,
                                  .frames = frames,
                                  .keep_method = !arguments.method.empty(),
                                  .stage = arguments.stage,
@@ -37,7 +38,7 @@ std::optional<Scene> with_methods_chosen(const RenderArguments& arguments, const
     if (!choice.scene) {
         message("--max-wrong {:g}: no setting is that accurate; isomotion accuracy {} tells "
                 "what there is\n",
-                *arguments.max_wrong, arguments.scene);
+                max_wrong, arguments.scene);
     }
     return choice.scene;
 }
@@ -57,8 +58,9 @@ int render(const RenderArguments& arguments) {
     Exporter exporter = exporter_of(scene, settings, warn);
     exporter.prepare();
     Device device = open_device(arguments.backend);
-    if (arguments.max_wrong) {
-        const auto chosen = with_methods_chosen(arguments, scene, exporter.frames(), device);
+    if (const auto& max_wrong = arguments.max_wrong) {
+        const auto chosen =
+            with_methods_chosen(*max_wrong, arguments, scene, exporter.frames(), device);
         if (!chosen) return exit_check_failed;
         exporter = exporter_of(*chosen, settings);
     }

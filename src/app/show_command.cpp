@@ -238,12 +238,12 @@ int show(const ShowArguments& arguments) {
             print_result("{}surface   {}: {} of {}\n", lists ? "\n" : "// ##### ",
                          one.surface.label, k + 1, scene.surfaces.size());
         }
-        if (!arguments.pass.empty()) {
-            print_pass(pass_named(passes, arguments.pass));
-        } else if (arguments.shader) {
-            print_passes(passes);
-        } else {
+        if (now) {
             print_surface(one, passes, {*now, k}, frame);
+        } else if (!arguments.pass.empty()) {
+            print_pass(pass_named(passes, arguments.pass));
+        } else {
+            print_passes(passes);
         }
     }
     return exit_done;

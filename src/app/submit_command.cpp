@@ -69,7 +69,8 @@ public:
         frames_ = exporter.frames();
         job_.program = fs::read_symlink("/proc/self/exe");
         job_.folder = fs::current_path();
-        job_.scene = scene.file() ? fs::absolute(*scene.file()).string() : render.scene;
+        const auto file = scene.file();
+        job_.scene = file ? fs::absolute(*file).string() : render.scene;
         job_.output = fs::absolute(exporter.output());
         job_.frames = all_frames(); // as short as they were written
         for (const std::string& movie : render.movies) job_.movies.push_back(fs::absolute(movie));

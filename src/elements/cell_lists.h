@@ -47,7 +47,7 @@ public:
     const RootFree& root_free() const { return root_free_; }
     bool are_free(std::size_t cell, std::uint32_t elements) const {
         if (elements == 0 && root_free_.is_emptiness) return true;
-        if (is_least()) return double(bounds_[cell]) >= *root_free_.at_least;
+        if (const auto& at_least = root_free_.at_least) return double(bounds_[cell]) >= *at_least;
         if (sums_ == 0 || !has_levels_) return false;
         for (std::size_t sum = 0; sum < sums_; ++sum) {
             if (!(bound(cell, sum, elements) <= root_free_.at_most[sum])) return false;

@@ -96,13 +96,14 @@ GridMaker::GridMaker(const formula::Field& field, formula::ElementKernels kernel
 }
 
 // Elements are known out to a little beyond where they matter: F has its slopes around its roots.
-float GridMaker::least_left_out(const ElementTerms& terms, const formula::Bindings<float>& bindings,
-                                const Region& region, RootFree& root_free) const {
+float GridMaker::least_left_out(const LeastAtRoots& at_roots, const ElementTerms& terms,
+                                const formula::Bindings<float>& bindings, const Region& region,
+                                RootFree& root_free) const {
     constexpr double beyond = 1.5; // times the size where elements matter
     constexpr int halvings = 10;
     const float none = formula::Operations<float>::least_of_none();
     const Interval range = terms.bounds(0, 0);
-    const auto enough = least_->enough(bindings, region, range);
+    const auto enough = at_roots.enough(bindings, region, range);
     if (!enough) return none;
     const std::vector<double> enough_sizes = some_sizes(terms, {&*enough, 1});
     const auto grown = [&](double key) {
@@ -128,10 +129,10 @@ float GridMaker::least_left_out(const ElementTerms& terms, const formula::Bindin
 RootFree GridMaker::root_free(const ElementTerms& terms, const formula::Bindings<float>& bindings,
                               const Region& region, Tolerances& left_out) const {
     RootFree free{.quadric_of = kernels_.quadric_of};
-    if (terms.is_least()) {
+    if (least_) {
         free.at_most = {0};
         free.at_least = formula::infinity;
-        free.least = least_left_out(terms, bindings, region, free);
+        free.least = least_left_out(*least_, terms, bindings, region, free);
         left_out = {{double(free.least)}, {0}};
         free.left_out = {Interval(0.0)};
     } else {

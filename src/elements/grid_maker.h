@@ -44,8 +44,9 @@ private:
     RootFree root_free(const ElementTerms& terms, const formula::Bindings<float>& bindings,
                        const Region& region, Tolerances& left_out) const;
     // The key size above which keys are irrelevant, and the consequences for roots.
-    float least_left_out(const ElementTerms& terms, const formula::Bindings<float>& bindings,
-                         const Region& region, RootFree& root_free) const;
+    float least_left_out(const LeastAtRoots& at_roots, const ElementTerms& terms,
+                         const formula::Bindings<float>& bindings, const Region& region,
+                         RootFree& root_free) const;
     static Tolerances choose(const ElementTerms& terms, std::vector<double> little,
                              const Region& region);
 

@@ -13,13 +13,13 @@ struct KeptEnclosures {
     template<class T> class Once {
     public:
         template<class Derive> const T& get(const Derive& derive) {
-            std::call_once(flag_, [&] { value_.emplace(derive()); });
-            return *value_;
+            std::call_once(flag_, [&] { value_ = derive(); });
+            return value_;
         }
 
     private:
         std::once_flag flag_;
-        std::optional<T> value_;
+        T value_;
     };
 
     Once<EnclosurePrograms> programs;

@@ -26,10 +26,11 @@ public:
         for (const NodeId id : below) {
             const Node node = graph_[id]; // a copy: the graph grows
             if (id == sum_) {
-                parts_[id] = Parts{graph_.constant(0), graph_.constant(1)};
+                parts_.emplace(id, Parts{graph_.constant(0), graph_.constant(1)});
             } else if (holds_sum(node)) {
-                parts_[id] = parts_of(node);
-                if (!parts_[id]) return std::nullopt;
+                const auto parts = parts_of(node);
+                if (!parts) return std::nullopt;
+                parts_.emplace(id, *parts);
             }
         }
         return parts_.at(root);
@@ -46,7 +47,7 @@ private:
 
     // Parts of a child: without the sum below it, all is rest.
     Parts parts_of(NodeId child) {
-        return holds_sum(child) ? *parts_.at(child) : Parts{child, graph_.constant(0)};
+        return holds_sum(child) ? parts_.at(child) : Parts{child, graph_.constant(0)};
     }
 
     std::optional<Parts> parts_of(const Node& node) {
@@ -80,7 +81,7 @@ private:
 
     Graph& graph_;
     NodeId sum_;
-    std::map<NodeId, std::optional<Parts>> parts_; // of the nodes that hold the sum
+    std::map<NodeId, Parts> parts_; // of the nodes that hold the sum
 };
 
 std::set<NodeId> sums_below(const Graph& graph, NodeId root) {

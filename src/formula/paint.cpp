@@ -73,8 +73,9 @@ Paint make_color(const ColorTexts& texts, const Vocabulary& surface, const Field
     Paint paint = begin_paint(field);
     for (std::size_t k = 0; k < texts.size(); ++k) {
         const NodeId own = paint.graph.input(int(paint_names.size() + k));
-        paint.roots.push_back(texts[k] ? parse_beside(*texts[k], names, paint.graph) : own);
-        paint.text += (k > 0 ? ", " : "") + texts[k].value_or("as it is");
+        const auto& text = texts[k];
+        paint.roots.push_back(text ? parse_beside(*text, names, paint.graph) : own);
+        paint.text += (k > 0 ? ", " : "") + text.value_or("as it is");
     }
     return finish(std::move(paint), field);
 }

@@ -128,50 +128,53 @@ private:
 
     // Cubics step over no round element where F is flat beside it, since the elements' radii bound
     // their steps (render/element_radius.h). Discs may be thinner than these tell.
-    bool elements_are_round() {
-        if (!elements_are_round_) elements_are_round_ = have_round_kernels();
-        return *elements_are_round_;
+    const ElementKernels* round_kernels() {
+        if (!asked_for_kernels_) round_kernels_ = find_round_kernels();
+        asked_for_kernels_ = true;
+        return round_kernels_ ? &*round_kernels_ : nullptr;
     }
 
-    bool have_round_kernels() {
-        kernels_ = element_kernels(field_, 0);
-        if (!kernels_ || kernels_->quadrics == 0 || kernels_->is_least) return false;
+    std::optional<ElementKernels> find_round_kernels() const {
+        auto kernels = element_kernels(field_, 0);
+        if (!kernels || kernels->quadrics == 0 || kernels->is_least) return std::nullopt;
         const int count = counts_.front(), some = std::min(count, most_elements);
         for (const Region& region : regions_) {
             const auto& columns = region.bindings.arrays[0].fields;
-            for (const int field : kernels_->fields)
-                if (columns[std::size_t(field)].size() < std::size_t(count)) return false;
+            for (const int field : kernels->fields)
+                if (columns[std::size_t(field)].size() < std::size_t(count)) return std::nullopt;
             for (int k = 0; k < some; ++k) {
-                const auto all = quadrics(region, int(std::int64_t(k) * count / some));
+                const auto all = quadrics(*kernels, region, int(std::int64_t(k) * count / some));
                 for (std::size_t q = 0; q < all.size(); q += each_quadric) {
-                    if (!is_round(std::span(all).subspan(q + 4, 6))) return false;
+                    if (!is_round(std::span(all).subspan(q + 4, 6))) return std::nullopt;
                 }
             }
         }
-        return true;
+        return kernels;
     }
 
     // An element's quadrics, where parameters are in the middle of what they may be.
-    std::vector<double> quadrics(const Region& region, int element) const {
+    static std::vector<double> quadrics(const ElementKernels& kernels, const Region& region,
+                                        int element) {
         Bindings<double> values;
         for (const Interval& value : region.bindings.parameters)
             values.parameters.push_back(mid(value));
-        std::vector<double> inputs(std::max<std::size_t>(1, kernels_->fields.size()));
+        std::vector<double> inputs(std::max<std::size_t>(1, kernels.fields.size()));
         const auto& columns = region.bindings.arrays[0].fields;
-        for (std::size_t f = 0; f < kernels_->fields.size(); ++f)
-            inputs[f] = mid(columns[std::size_t(kernels_->fields[f])][std::size_t(element)]);
-        std::vector<double> found(std::size_t(kernels_->quadrics) * each_quadric);
-        Evaluator<double>(kernels_->coefficients).point(values, inputs, found);
+        for (std::size_t f = 0; f < kernels.fields.size(); ++f)
+            inputs[f] = mid(columns[std::size_t(kernels.fields[f])][std::size_t(element)]);
+        std::vector<double> found(std::size_t(kernels.quadrics) * each_quadric);
+        Evaluator<double>(kernels.coefficients).point(values, inputs, found);
         return found;
     }
 
     // Whether a place on an element is nearer to its centre than a 64th of the bounds' radius,
     // which is the least radius that bounds steps.
-    bool is_tiny(const Region& region, int element, const std::array<double, 3>& p) const {
+    static bool is_tiny(const ElementKernels& kernels, const Region& region, int element,
+                        const std::array<double, 3>& p) {
         double bounds = 0; // squared
         for (const Interval& side : region.box)
             bounds += 0.25 * (side.hi - side.lo) * (side.hi - side.lo);
-        const std::vector<double> all = quadrics(region, element);
+        const std::vector<double> all = quadrics(kernels, region, element);
         for (std::size_t q = 0; q < all.size(); q += each_quadric) {
             const double* g = &all[q + 1];
             const double* h = &all[q + 4];
@@ -198,8 +201,8 @@ private:
         return xx > 0 && minor > 0 && determinant > 0;
     }
 
-    // Looks at an even selection of elements, one by one.
-    Met at_elements(LineProbe& probe, bool are_round) const {
+    // Looks at an even selection of elements, one by one. `round`: their kernels if they are round.
+    Met at_elements(LineProbe& probe, const ElementKernels* round) const {
         Met all = Met::nothing;
         const int count = counts_.front(), some = std::min(count, most_elements);
         for (int k = 0; k < some && all != Met::change; ++k) {
@@ -207,8 +210,8 @@ private:
             const auto element = int(std::int64_t(k) * count / some);
             for (int line = 0; line < 2 && all != Met::change; ++line) {
                 const Met met = probe.at_element(region, element);
-                const bool is_lost =
-                    are_round && met == Met::even_slopes && is_tiny(region, element, probe.place());
+                const bool is_lost = round && met == Met::even_slopes &&
+                                     is_tiny(*round, region, element, probe.place());
                 all = std::max(all, is_lost ? Met::change : met);
             }
         }
@@ -222,8 +225,8 @@ private:
         if (!may_look()) return true;
         const Program program = schedule(graph_, std::array{decoration});
         const bool of_elements = is_of_elements(program);
-        const bool of_round_ones = of_elements && elements_are_round();
-        LineProbe probe(program, field_.directional, of_round_ones);
+        const ElementKernels* round = of_elements ? round_kernels() : nullptr;
+        LineProbe probe(program, field_.directional, round != nullptr);
         // A line takes some 500 evaluations of the decoration, and at most 48 slopes.
         const double line = 500 * (cost(program, counts_).operations + 1) +
                             48 * cost(field_.directional, counts_).operations;
@@ -235,7 +238,7 @@ private:
             if (all >= least) return true;
         }
         // A field may make one element unlike the others. Few lines meet each of many.
-        if (of_elements) all = std::max(all, at_elements(probe, of_round_ones));
+        if (of_elements) all = std::max(all, at_elements(probe, round));
         if (all >= least) return true;
         return all == Met::nothing && may_be_near_0(decoration, value_with_gaps());
     }
@@ -247,8 +250,8 @@ private:
     double made_ = 0; // nodes and instructions of programs
     std::optional<NodeId> value_;
     std::vector<int> counts_;
-    std::optional<bool> elements_are_round_;
-    std::optional<ElementKernels> kernels_;
+    bool asked_for_kernels_ = false;
+    std::optional<ElementKernels> round_kernels_;
 };
 
 } // namespace

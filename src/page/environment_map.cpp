@@ -32,15 +32,16 @@ EnvironmentMap page_map_of(const image::EnvironmentMap& map) {
 
 } // namespace
 
-Environment environment(const scene::Scene& scene,
-                        const std::function<void(const std::string&)>& warn) {
-    const scene::Environment& from = *scene.environment;
+std::optional<Environment> environment(const scene::Scene& scene,
+                                       const std::function<void(const std::string&)>& warn) {
+    const auto& from = scene.environment;
+    if (!from) return std::nullopt;
     image::EnvironmentReduction reduction(widest_map);
     image::EnvironmentSink sink;
     sink.begin = [&](int width, int height) { reduction.begin(width, height); };
     sink.rows = [&](int first, std::span<const float> texels) { reduction.rows(first, texels); };
-    const int mended = image::read_environment(from.map, sink, from.within);
-    if (mended > 0 && warn) warn(image::mending(from.map, mended));
+    const int mended = image::read_environment(from->map, sink, from->within);
+    if (mended > 0 && warn) warn(image::mending(from->map, mended));
     const image::EnvironmentMap map = reduction.map();
     Environment all{page_map_of(map), std::nullopt};
     if (shader::mirrors_environment({scene, 0}))

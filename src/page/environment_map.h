@@ -24,9 +24,9 @@ struct Environment {
     std::optional<EnvironmentMap> levels; // for rough mirrors: image::environment_levels()
 };
 
-// The environment of a scene that has one. Wider maps are reduced to means of their texels. `warn`,
-// unless empty, is called for repaired texels. Throws as image::read_environment() does.
-Environment environment(const scene::Scene& scene,
-                        const std::function<void(const std::string&)>& warn);
+// The environment of a scene, if it has one. Wider maps are reduced to means of their texels.
+// `warn`, unless empty, is called for repaired texels. Throws as image::read_environment() does.
+std::optional<Environment> environment(const scene::Scene& scene,
+                                       const std::function<void(const std::string&)>& warn);
 
 } // namespace isomotion::page

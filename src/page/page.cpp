@@ -32,8 +32,7 @@ void append_word(std::vector<std::byte>& to, std::size_t word) {
 // the environment map and its levels.
 std::vector<std::byte> data_of(const WebScene& web, const PageOptions& options) {
     const FrameValues values = frame_values(web);
-    std::optional<Environment> around;
-    if (web.scene->environment) around = environment(*web.scene, options.warn);
+    const std::optional<Environment> around = environment(*web.scene, options.warn);
     const std::string described = description(web, values, around ? &*around : nullptr, options);
     std::vector<std::byte> data;
     append_word(data, described.size());

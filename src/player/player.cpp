@@ -219,7 +219,8 @@ private:
             scheduler_.learn(*shown, display_, now());
             const std::uint64_t number = shown->number;
             audited_.reset();
-            if (shown->rays) audits_.audit(*std::exchange(shown->rays, std::nullopt));
+            if (auto rays = std::exchange(shown->rays, std::nullopt))
+                audits_.audit(std::move(*rays));
             window_.make_current();
             area_.take(std::move(*shown));
             // One that was asked for before says nothing of what failed.
@@ -442,9 +443,10 @@ private:
         const double took = now() - begin;
         if (!skipped_) widgets_ += newest * (took - widgets_);
         if (new_picture_) display_ += newest * (took - display_);
-        if (std::exchange(new_picture_, false) && area_.shown()) {
+        const std::optional<Shown>& shown = area_.shown();
+        if (std::exchange(new_picture_, false) && shown) {
             ++pictures_;
-            log_.add(*area_.shown(), area_.corner(), area_.size(), scheduler_.at_rest());
+            log_.add(*shown, area_.corner(), area_.size(), scheduler_.at_rest());
         }
     }
 

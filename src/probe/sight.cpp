@@ -159,12 +159,15 @@ Sight sight(const OneSurface& one, const OneSurfaceAt& now) {
     const double below = below_0(now.surface.bounds, tell).value_or(0);
     found.changes_sign = found.least < 0 && found.most > 0;
     found.cut = std::min(below, 1 - below);
+    const auto ends_within = [&](double factor) {
+        const auto part = below_0(enlarged(now.surface.bounds, factor), [](double) {});
+        return part && (*part == 0 || *part == 1);
+    };
     bool has_end = found.cut == 0 && points >= fewest_points;
     for (const double factor : {1.1, 1.25, 1.5, 2.0, 3.0}) {
         if (has_end) break;
         if (points < fewest_points) break;
-        const auto part = below_0(enlarged(now.surface.bounds, factor), [](double) {});
-        has_end = part && (*part == 0 || *part == 1);
+        has_end = ends_within(factor);
         if (has_end && !one.surface.material.inside) found.closed_by = factor;
     }
     found.unbounded = why_unbounded(one, now.surface);

@@ -59,7 +59,7 @@ public:
         }
         // A sum over the one element that is bound is the element's term.
         for (const NodeId id : nodes_)
-            roots.push_back(graph_[id].arrays == 0 ? id : graph_.sum(*array, id));
+            roots.push_back(array && graph_[id].arrays != 0 ? graph_.sum(*array, id) : id);
         program_ = formula::schedule(graph_, roots);
     }
 
@@ -137,6 +137,17 @@ std::optional<Culprit> culprit(const formula::Field& field, std::optional<int> a
     return found;
 }
 
+// One that belongs to no element, or else to the first array that has one.
+std::optional<Culprit> first_culprit(const formula::Field& field,
+                                     const formula::Bindings<Interval>& bindings,
+                                     const std::vector<Point>& points) {
+    if (auto found = culprit(field, std::nullopt, bindings, points)) return found;
+    for (int array = 0; array < int(bindings.arrays.size()); ++array) {
+        if (auto found = culprit(field, array, bindings, points)) return found;
+    }
+    return std::nullopt;
+}
+
 // A value that a part of F is made of, as tracks and arrays name it.
 struct NamedValue {
     std::string name;
@@ -186,9 +197,7 @@ std::optional<std::string> why_unbounded(const OneSurface& one, const SurfaceAt&
         return has_bounds(f) && has_bounds(jump[0]);
     });
     if (is_known) return std::nullopt;
-    std::optional<Culprit> found = culprit(field, std::nullopt, bindings, points);
-    for (std::size_t a = 0; !found && a < counts.size(); ++a)
-        found = culprit(field, int(a), bindings, points);
+    const std::optional<Culprit> found = first_culprit(field, bindings, points);
     if (!found) return std::nullopt;
     const std::vector<NamedValue> values = values_of(one, now, *found);
     if (values.empty()) return std::nullopt;

@@ -33,8 +33,12 @@ public:
         if (buffer_) table.bind(name_, *buffer_);
     }
     // Binds it as buffer 0, which shaders write; waits for these writes before others read it.
-    void bind_for_lists() const { buffer_->bind_storage(0); }
-    void wait_for_lists() const { buffer_->wait_for_storage(); }
+    void bind_for_lists() const {
+        if (buffer_) buffer_->bind_storage(0);
+    }
+    void wait_for_lists() const {
+        if (buffer_) buffer_->wait_for_storage();
+    }
 
 private:
     std::string name_;

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <stdexcept>
 #include <vector>
 
 #include <fmt/format.h>
@@ -188,7 +189,9 @@ int modelled_degree(const Field& field) {
 }
 
 std::string glsl_value_model(const Field& field, const std::string& type, Numbers numbers) {
-    return ModelWriter(modelled(field), type, numbers).write().value();
+    auto text = ModelWriter(modelled(field), type, numbers).write();
+    if (!text) throw std::logic_error("a field without models");
+    return std::move(*text);
 }
 
 } // namespace isomotion::formula

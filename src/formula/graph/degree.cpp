@@ -44,8 +44,9 @@ std::vector<std::optional<int>> degrees(const Graph& graph, NodeId root) {
         std::array<int, 4> children{};
         bool polynomials = true;
         for (std::size_t k = 0; k < node.arity; ++k) {
-            polynomials = polynomials && all[node.children[k]];
-            if (polynomials) children[k] = *all[node.children[k]];
+            const auto& child = all[node.children[k]];
+            polynomials = polynomials && child;
+            if (child) children[k] = *child;
         }
         const int found = polynomials ? degree_of(node, children) : no_polynomial;
         if (found != no_polynomial) all[id] = found;

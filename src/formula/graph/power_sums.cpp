@@ -93,7 +93,8 @@ std::optional<NodeId> without_cut_off(const Graph& graph, NodeId base, double p)
 } // namespace
 
 PowerOfSum::PowerOfSum(Term sum, Term q)
-    : q_(q) {
+    : q_(q)
+    , p_(q) {
     add_terms(sum, {sum.number(1), 1});
 }
 
@@ -127,7 +128,7 @@ void PowerOfSum::add_power(const Factor& factor, Term base, Term exponent) {
     const bool is_never_odd = p.op == Op::constant && std::fmod(p.value, 2) != 1;
     const bool is_counted =
         factor.number > least_factor && (is_never_odd || is_never_negative(*base.graph, base.node));
-    is_sum_of_powers_ = is_counted && (!p_ || p_->node == exponent.node);
+    is_sum_of_powers_ = is_counted && (powers_.empty() || p_.node == exponent.node);
     p_ = exponent;
     powers_.push_back({factor, base});
 }
@@ -137,17 +138,17 @@ bool PowerOfSum::has_largest() const {
     if (!is_sum_of_powers_ || powers_.empty() || !std::ranges::all_of(constants_, is_above_0))
         return false;
     const Graph& graph = *q_.graph;
-    const bool is_constant = graph.is_constant(p_->node);
-    const double p = graph[p_->node].value;
+    const bool is_constant = graph.is_constant(p_.node);
+    const double p = graph[p_.node].value;
     if (is_constant && !(p >= least_exponent)) return false;
-    const std::optional<double> degree = constant_product(graph, p_->node, q_.node);
+    const std::optional<double> degree = constant_product(graph, p_.node, q_.node);
     if (!degree || !(*degree > 0 && *degree <= highest_degree)) return false;
     return !is_constant || *degree <= 0.5 * p;
 }
 
 std::vector<PowerOfSum::Power> PowerOfSum::terms(Purpose purpose) const {
     std::vector<Power> all = powers_;
-    const Node& p = (*q_.graph)[p_->node];
+    const Node& p = (*q_.graph)[p_.node];
     // A small constant is not small beside a base of 1.
     const bool has_root = purpose == Purpose::numbers && p.op == Op::constant;
     for (const Factor& constant : constants_) {
@@ -167,15 +168,15 @@ Term PowerOfSum::largest(Purpose purpose) const {
         most = most ? max(*most, size) : size;
         least = least ? min(*least, size) : size;
     }
-    const bool is_constant = graph.is_constant(p_->node);
+    const bool is_constant = graph.is_constant(p_.node);
     const Term first =
         is_constant
             ? *most
-            : Term{&graph, graph.select(p_->node, graph.constant(0), least->node, most->node)};
+            : Term{&graph, graph.select(p_.node, graph.constant(0), least->node, most->node)};
     if (purpose == Purpose::bounds) return first;
     const Term above_0 = max(q_.number(least_base), first);
     if (purpose == Purpose::slopes) return above_0;
-    const double degree = *constant_product(graph, p_->node, q_.node);
+    const double degree = *constant_product(graph, p_.node, q_.node);
     const double end = std::pow(double(Operations<float>::saturation()), 1 / std::max(1.0, degree));
     return min(q_.number(end), above_0);
 }
@@ -186,26 +187,26 @@ Term PowerOfSum::value(Term m, Purpose purpose) const {
     double least = std::numeric_limits<double>::infinity();
     for (const Power& term : terms(purpose)) {
         const Term part = is_bound ? max(m.number(0), term.base.of(Op::abs) / m) : term.base / m;
-        const Term power = part.with(Op::power, *p_);
+        const Term power = part.with(Op::power, p_);
         const Term added = term.factor.exact * (is_bound ? min(m.number(1), power) : power);
         rest = rest ? *rest + added : added;
         const double number = term.factor.number;
         least = std::min(least, number > least_factor ? 0.999999 * number : 0);
     }
     if (is_bound) rest = max(m.number(least), *rest);
-    const double degree = *constant_product(*q_.graph, p_->node, q_.node);
+    const double degree = *constant_product(*q_.graph, p_.node, q_.node);
     // Over boxes p*q is rounded outwards.
-    const Term of_m = purpose == Purpose::numbers ? m.number(degree) : *p_ * q_;
+    const Term of_m = purpose == Purpose::numbers ? m.number(degree) : p_ * q_;
     return m.with(Op::power, of_m) * rest->with(Op::power, q_);
 }
 
 std::optional<Term> PowerOfSum::without_cut_offs() const {
     Graph& graph = *q_.graph;
-    const double p = graph[p_->node].value;
+    const double p = graph[p_.node].value;
     const auto has_end = [&](const Power& term) {
         return without_cut_off(graph, term.base.node, p).has_value();
     };
-    if (!graph.is_constant(p_->node) || std::ranges::none_of(powers_, has_end)) return std::nullopt;
+    if (!graph.is_constant(p_.node) || std::ranges::none_of(powers_, has_end)) return std::nullopt;
     Term sum = q_.number(0);
     for (const Power& term : powers_) {
         const NodeId base = without_cut_off(graph, term.base.node, p).value_or(term.base.node);

@@ -50,7 +50,7 @@ private:
     std::vector<Power> terms(Purpose purpose) const;
 
     Term q_;
-    std::optional<Term> p_;
+    Term p_; // of all powers
     std::vector<Power> powers_;
     std::vector<Factor> constants_;
     bool is_sum_of_powers_ = true;

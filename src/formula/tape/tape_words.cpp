@@ -4,6 +4,7 @@
 #include <bit>
 #include <cmath>
 #include <limits>
+#include <stdexcept>
 
 #include <fmt/format.h>
 
@@ -152,7 +153,7 @@ private:
         }
         std::vector<int> loaded; // registers of constants, until the end of this step
         const bool is_call = TapeOperations::is_call(step);
-        const std::uint32_t code = operations_.code(step).value();
+        const std::uint32_t code = operations_.code(step);
         const int result = take();
         if (step.op == Op::select) {
             instruction(TapeOperations::hold, result, step.operands[0], step.operands[1], loaded);
@@ -314,11 +315,12 @@ TapeOperations::Operation TapeOperations::operation(const TapeStep& step) const 
 
 bool TapeOperations::is_call(const TapeStep& step) { return takes_long(step.op); }
 
-std::optional<std::uint32_t> TapeOperations::code(const TapeStep& step) const {
+std::uint32_t TapeOperations::code(const TapeStep& step) const {
     const bool calls = is_call(step);
     const std::vector<Operation>& all = calls ? calls_ : operations_;
     const auto found = std::lower_bound(all.begin(), all.end(), operation(step));
-    if (found == all.end() || *found != operation(step)) return {};
+    if (found == all.end() || *found != operation(step))
+        throw std::logic_error("an operation that the whole tape does not have");
     return std::uint32_t(found - all.begin()) + (calls ? 1 : first_code);
 }
 

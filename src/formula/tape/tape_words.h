@@ -46,7 +46,7 @@ public:
 
     TapeNumbers numbers() const { return numbers_; }
     // The number of the operation, which counts calls apart from others.
-    std::optional<std::uint32_t> code(const TapeStep& step) const;
+    std::uint32_t code(const TapeStep& step) const;
     static bool is_call(const TapeStep& step);
 
     // load: b; hold: a, and keeps both for the selection that follows; join: the hull of both.

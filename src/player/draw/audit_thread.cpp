@@ -57,12 +57,14 @@ void AuditThread::run() {
         std::unique_lock lock(mutex_);
         wanted_.wait(lock, [&] { return ending_ || rays_; });
         if (ending_) return;
-        const RaysToAudit rays = *std::exchange(rays_, std::nullopt);
+        const std::optional<RaysToAudit> taken = std::exchange(rays_, std::nullopt);
+        if (!taken) continue;
+        const RaysToAudit& rays = *taken;
         dropped_ = false;
         lock.unlock();
         audit::Findings found;
         try {
-            if (scene != rays.scene) auditor.emplace(*(scene = rays.scene));
+            if (!auditor || scene != rays.scene) auditor.emplace(*(scene = rays.scene));
             const auto until = Clock::now() + longest_audit;
             const auto stop = [&] { return dropped() || Clock::now() > until; };
             found = auditor->hold(int(rays.frame), *rays.now, rays.aim, rays.width, rays.height,

@@ -353,7 +353,9 @@ void DrawThread::run() {
             std::unique_lock lock(mutex_);
             wanted_.wait(lock, [&] { return ending_ || request_; });
             if (ending_) break;
-            const Request request = *std::exchange(request_, std::nullopt);
+            const std::optional<Request> taken = std::exchange(request_, std::nullopt);
+            if (!taken) continue;
+            const Request& request = *taken;
             const bool forget = std::exchange(forget_, false);
             lock.unlock();
             const auto begin = Clock::now();

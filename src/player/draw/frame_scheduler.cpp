@@ -41,8 +41,8 @@ void FrameScheduler::begin_scene() {
     begin_ = number_ + 1;
 }
 
-void FrameScheduler::post(const Session& session, double scale, int samples, bool may_be_dropped,
-                          double now) {
+void FrameScheduler::post(const Session& session, const Subject& subject, double scale, int samples,
+                          bool may_be_dropped, double now) {
     came_ = false;
     posted_ = now;
     scale_ = scale;
@@ -53,10 +53,10 @@ void FrameScheduler::post(const Session& session, double scale, int samples, boo
     request.view = session.look().view;
     if (request.view == View::difference) request.other = session.look().other;
     request.scale = scale;
-    const glm::ivec2 size = subject_->size;
+    const glm::ivec2 size = subject.size;
     request.width = std::max(1, int(std::lround(size.x * scale)));
     request.height = std::max(1, int(std::lround(size.y * scale)));
-    request.frame = subject_->frame;
+    request.frame = subject.frame;
     request.may_be_dropped = may_be_dropped;
     request.audited = whole_ ? most_audited : 0;
     request.asked_at = noticed_.value_or(std::chrono::steady_clock::now());
@@ -102,7 +102,7 @@ void FrameScheduler::ask(Session& session, std::int64_t frame, glm::ivec2 size, 
         if (holds_back(now)) return;
         subject_ = wanted;
         whole_ = grows_ = false;
-        post(session, resolution_.scale(), 1, false, now);
+        post(session, wanted, resolution_.scale(), 1, false, now);
         return;
     }
     const bool rests = hand_rests && now - changed_ >= rests_after;
@@ -110,7 +110,7 @@ void FrameScheduler::ask(Session& session, std::int64_t frame, glm::ivec2 size, 
     const double next = next_scale(session.samples());
     whole_ = next == 1;
     grows_ = true;
-    post(session, next, whole_ ? session.samples() : 1, true, now);
+    post(session, wanted, next, whole_ ? session.samples() : 1, true, now);
 }
 
 void FrameScheduler::learn(const Shown& shown, double display, double now) {

@@ -60,7 +60,8 @@ private:
     };
 
     double next_scale(int samples) const;
-    void post(const Session& session, double scale, int samples, bool may_be_dropped, double now);
+    void post(const Session& session, const Subject& subject, double scale, int samples,
+              bool may_be_dropped, double now);
     bool holds_back(double now) const;
 
     DrawThread& thread_;
