@@ -19,23 +19,22 @@ void add_record(const Picture& from, Picture& to) {
 } // namespace
 
 void Exposure::add(Picture picture) {
-    ++count_;
-    if (!first_) { // its own sum
+    if (++count_ == 1) { // its own sum
         first_ = std::move(picture);
         return;
     }
     for (std::size_t c = 0; c < color_channels_; ++c) {
         const auto& from = picture.frame.channels[c].samples;
-        const auto& first = first_->frame.channels[c].samples;
+        const auto& first = first_.frame.channels[c].samples;
         if (count_ == 2) sums_[c].assign(first.begin(), first.end());
         std::transform(from.begin(), from.end(), sums_[c].begin(), sums_[c].begin(),
                        [](float sample, double sum) { return sum + double(sample); });
     }
-    add_record(picture, *first_);
+    add_record(picture, first_);
 }
 
 void Exposure::write_mean(Picture& into) const {
-    if (count_ == 1) return;
+    if (count_ <= 1) return;
     for (std::size_t c = 0; c < color_channels_; ++c) {
         std::transform(sums_[c].begin(), sums_[c].end(), into.frame.channels[c].samples.begin(),
                        [&](double sum) { return float(sum / count_); });
@@ -43,14 +42,14 @@ void Exposure::write_mean(Picture& into) const {
 }
 
 Picture Exposure::mean() const& {
-    Picture picture = first_.value();
+    Picture picture = first_;
     write_mean(picture);
     return picture;
 }
 
 Picture Exposure::mean() && {
-    write_mean(first_.value());
-    return std::move(*first_);
+    write_mean(first_);
+    return std::move(first_);
 }
 
 Picture expose(Renderer& renderer, const FrameInputs& frame) {

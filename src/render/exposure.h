@@ -24,7 +24,7 @@ private:
     void write_mean(Picture& into) const;
 
     static constexpr std::size_t color_channels_ = 4; // R G B A, a frame's first
-    std::optional<Picture> first_;
+    Picture first_;
     // In double the sum of up to 2^29 equal floats is exact, so a flat region keeps its colour.
     std::array<std::vector<double>, color_channels_> sums_;
     int count_ = 0;

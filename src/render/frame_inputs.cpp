@@ -151,8 +151,9 @@ FieldInputs field_inputs(const formula::Field& field, const scene::SurfaceAt& at
 } // namespace
 
 std::shared_ptr<const elements::ElementGrid> grid(const SurfaceInputs& inputs) {
-    if (!inputs.field->grid) return nullptr;
-    return {inputs.field, &*inputs.field->grid};
+    const auto& grid = inputs.field->grid;
+    if (!grid) return nullptr;
+    return {inputs.field, &*grid};
 }
 
 ViewInputs view_inputs(const scene::OneSurface& one, const scene::OneSurfaceAt& now, int width,

@@ -50,9 +50,10 @@ void GlassPaths::trace(PassTable& table, const RayMarcher& marcher, const gpu::R
     }
 }
 
-const gpu::Target& GlassPaths::draw_ground(PassTable& table, const gpu::Rectangle& tile) const {
+const gpu::Target* GlassPaths::draw_ground(PassTable& table, const gpu::Rectangle& tile) const {
+    if (!ground_) return nullptr;
     table.draw(table.program(Role::glass_ground), tile, *ground_);
-    return *ground_;
+    return &*ground_;
 }
 
 } // namespace isomotion::render

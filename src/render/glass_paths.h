@@ -21,8 +21,8 @@ public:
     // and as state textures. Binds the resulting light. Adds its draws to `draws`.
     void trace(PassTable& table, const RayMarcher& marcher, const gpu::Rectangle& tile,
                int& draws) const;
-    // The points where paths met the ground, as ends of rays; for scenes with Role::glass_ground.
-    const gpu::Target& draw_ground(PassTable& table, const gpu::Rectangle& tile) const;
+    // The points where paths met the ground, as ends of rays; null without Role::glass_ground.
+    const gpu::Target* draw_ground(PassTable& table, const gpu::Rectangle& tile) const;
 
 private:
     bool any_goes_on(PassTable& table, const gpu::Rectangle& tile) const;

@@ -63,11 +63,12 @@ PassTable::PassTable(const shader::Passes& passes)
     }
 }
 
-void PassTable::compile(std::size_t index) {
+const gpu::Program& PassTable::compile(std::size_t index) {
     const shader::Pass& pass = passes_.list[index];
-    programs_[index] = compiled(pass);
-    connect(pass, *programs_[index]);
-    set_on(*programs_[index], uniforms_);
+    const gpu::Program& program = programs_[index].emplace(compiled(pass));
+    connect(pass, program);
+    set_on(program, uniforms_);
+    return program;
 }
 
 void PassTable::connect(const shader::Pass& pass, const gpu::Program& program) const {
@@ -81,8 +82,8 @@ void PassTable::connect(const shader::Pass& pass, const gpu::Program& program) c
 
 const gpu::Program& PassTable::program(shader::Role role, int level) {
     const auto index = std::size_t(&passes_.at(role, level) - passes_.list.data());
-    if (!programs_[index]) compile(index);
-    return *programs_[index];
+    const auto& known = programs_[index];
+    return known ? *known : compile(index);
 }
 
 void PassTable::set(const shader::Uniforms& uniforms) {

@@ -107,7 +107,7 @@ private:
 
     using Numbers = std::map<std::string, int, std::less<>>;
 
-    void compile(std::size_t index);
+    const gpu::Program& compile(std::size_t index);
     void connect(const shader::Pass& pass, const gpu::Program& program) const;
 
     const shader::Passes& passes_;

@@ -1,6 +1,7 @@
 #include "render/picture_proofs.h"
 
 #include <algorithm>
+#include <stdexcept>
 
 #include "scene/rays.h"
 
@@ -21,6 +22,13 @@ double rounding_of_way(const scene::OneSurfaceAt& own, const scene::OneSurfaceAt
     };
     const double unit = first.surface.placement.scale / own.surface.placement.scale;
     return 0x1p-19 * (longest(own) + unit * longest(first));
+}
+
+const gpu::Texture& attached(const gpu::Target& picture, const shader::PassPlan& passes,
+                             Channel channel) {
+    const auto at = passes.attachment(channel);
+    if (!at) throw std::logic_error("proofs of a picture without what they are of");
+    return picture.texture(*at);
 }
 
 } // namespace
@@ -60,17 +68,18 @@ ProofCounts PictureProofs::prove_surface(std::size_t k, const PictureInputs& inp
                                          const gpu::Target& picture, const gpu::Rectangle& tile,
                                          std::span<float> outcomes) {
     SurfacePasses& one = *all_[k];
-    const ProofRays& rays = *inputs.surfaces[k].proofs;
-    const gpu::Texture& ended = picture.texture(*one.passes.attachment(Channel::ending));
-    if (!endings_) return proofs_[k]->prove(one.table, rays, ended, tile, outcomes);
+    const auto& rays = inputs.surfaces[k].proofs;
+    if (!rays) throw std::logic_error("proofs of a surface without rays");
+    const gpu::Texture& ended = attached(picture, one.passes, Channel::ending);
+    if (!endings_) return proofs_[k]->prove(one.table, *rays, ended, tile, outcomes);
     one.bind();
     if (one.beams) one.beams->bind(one.table);
     one.table.bind("way_to_end", ended);
-    one.table.bind("surface_of_end", picture.texture(*one.passes.attachment(Channel::surface)));
+    one.table.bind("surface_of_end", attached(picture, one.passes, Channel::surface));
     const gpu::Program& ending = one.table.program(Role::ending);
-    ending.set("beyond", rays.beyond);
+    ending.set("beyond", rays->beyond);
     one.table.draw(ending, tile, *endings_);
-    return proofs_[k]->prove(one.table, rays, endings_->texture(0), tile, outcomes);
+    return proofs_[k]->prove(one.table, *rays, endings_->texture(0), tile, outcomes);
 }
 
 ProofCounts PictureProofs::prove(const PictureInputs& inputs, const gpu::Target& picture,

@@ -55,6 +55,10 @@ struct Renderer::Parts {
         , options(std::move(wanted))
         , scene(drawn)
         , surfaces(surfaces_of_scene())
+        , first(*surfaces.front())
+        , passes(first.passes)
+        , plan(first.plan)
+        , table(first.table)
         , passes_print(fingerprint_of_passes())
         , record(plan.march.target_width() * plan.march.target_height(),
                  passes.has(Role::surface) && !passes.has(Role::fused))
@@ -72,7 +76,8 @@ struct Renderer::Parts {
         } else {
             begin_passes();
         }
-        if (scene.environment) load_environment();
+        if (const auto& environment_of_scene = scene.environment)
+            load_environment(*environment_of_scene);
         if (options.times_rays) {
             clock.emplace();
             for (SurfacePasses* surface : all_surfaces()) surface->table.time_rays_by(*clock);
@@ -92,7 +97,7 @@ struct Renderer::Parts {
         return all;
     }
 
-    void load_environment() {
+    void load_environment(const scene::Environment& from) {
         base::Fingerprint print;
         image::EnvironmentSink sink;
         std::optional<image::EnvironmentReduction> reduction;
@@ -107,10 +112,8 @@ struct Renderer::Parts {
             if (reduction) reduction->rows(first, texels);
             print.append(std::as_bytes(texels));
         };
-        const int mended =
-            image::read_environment(scene.environment->map, sink, scene.environment->within);
-        if (mended > 0 && options.warn)
-            options.warn(image::mending(scene.environment->map, mended));
+        const int mended = image::read_environment(from.map, sink, from.within);
+        if (mended > 0 && options.warn) options.warn(image::mending(from.map, mended));
         environment_print = print.text();
         if (!reduction) return;
         const image::EnvironmentMap levels =
@@ -238,8 +241,9 @@ struct Renderer::Parts {
                                  result.read(*at, area.x, area.y, area.width, area.height).data(),
                                  picture);
                 }
-                if (proofs) prove_tile(inputs, tile, picture);
-                if (moved && inputs.moving) draw_velocities(inputs, tile, picture.frame);
+                if (proofs) prove_tile(*proofs, inputs, tile, picture);
+                if (moved && inputs.moving)
+                    draw_velocities(*moved, *inputs.moving, inputs, tile, picture.frame);
                 read_attachments(tile, picture.frame);
                 done += double(tile.width) * tile.height / pixels;
             }
@@ -321,43 +325,46 @@ struct Renderer::Parts {
     }
 
     // Proves the rays of a tile; counts and, where wanted, keeps the outcomes.
-    void prove_tile(const PictureInputs& inputs, const gpu::Rectangle& tile, Picture& picture) {
+    void prove_tile(PictureProofs& by, const PictureInputs& inputs, const gpu::Rectangle& tile,
+                    Picture& picture) {
         const bool keeps = layers.wants(Channel::proof);
-        const ProofCounts counts = proofs->prove(inputs, result, tile, keeps);
+        const ProofCounts counts = by.prove(inputs, result, tile, keeps);
         for (std::size_t k = 0; k < counts.size(); ++k) picture.proofs[k] += counts[k];
         if (keeps) {
-            planes.copy(proofs->record().data(), tile, 0, tile.height,
+            planes.copy(by.record().data(), tile, 0, tile.height,
                         Layers::of(picture.frame, Channel::proof));
         }
     }
 
     // The velocity of one surface in a tile whose rays and record are there.
-    std::vector<glm::dvec3> velocity_of(SurfacePasses& surface, const PictureInputs& inputs,
+    std::vector<glm::dvec3> velocity_of(SurfacePasses& surface, const VelocityPass& by,
+                                        const SurfaceMotion& motion, const SurfaceInputs& own,
                                         const gpu::Target& rays, const gpu::Rectangle& tile) {
-        const std::size_t k = surface.drawn.index;
-        const SurfaceInputs& own = inputs.surfaces[k];
-        const SurfaceMotion motion(inputs.moving->now, inputs.moving->about, k);
+        const auto& around = own.motion;
+        if (!around) throw std::logic_error("velocities of a surface without times around");
         surface.table.bind_numbered("state_texture", rays);
         const auto field_at = [&](const FieldInputs& then, const scene::OneSurfaceAt& there) {
-            surface.field->upload(surface.table, then);
-            return moved->field_there(surface.table, tile, motion.now.surface.placement, there);
+            surface.field.upload(surface.table, then);
+            return by.field_there(surface.table, tile, motion.now.surface.placement, there);
         };
-        const std::vector<float> before = field_at(own.motion->before, motion.before);
-        const std::vector<float> after = field_at(own.motion->after, motion.after);
-        surface.field->upload(surface.table, *own.field);
+        const std::vector<float> before = field_at(around->before, motion.before);
+        const std::vector<float> after = field_at(around->after, motion.after);
+        surface.field.upload(surface.table, *own.field);
         return velocities(motion, options.width, options.height, tile, record,
                           rays.read(0, 0, 0, tile.width, tile.height), before, after);
     }
 
     // A pixel has the velocity of the surface that is seen there.
-    void draw_velocities(const PictureInputs& inputs, const gpu::Rectangle& tile,
+    void draw_velocities(const VelocityPass& by, const PictureInputs::Moving& moving,
+                         const PictureInputs& inputs, const gpu::Rectangle& tile,
                          image::Frame& drawn) {
         const std::vector<int> seen = in_passes->seen(tile);
         std::vector<glm::dvec3> found(seen.size(), glm::dvec3(0));
         for (std::size_t k = 0; k < surfaces.size(); ++k) {
             surfaces[k]->bind();
+            const SurfaceMotion motion(moving.now, moving.about, k);
             const std::vector<glm::dvec3> its =
-                velocity_of(*surfaces[k], inputs, in_passes->rays(k), tile);
+                velocity_of(*surfaces[k], by, motion, inputs.surfaces[k], in_passes->rays(k), tile);
             for (std::size_t at = 0; at < seen.size(); ++at) {
                 if (seen[at] == int(k)) found[at] = its[at];
             }
@@ -403,9 +410,9 @@ struct Renderer::Parts {
     // Takes the picture that was asked for first.
     Picture land() {
         PictureInFlight flight = flights.take();
-        if (!flight.picture) {
-            flight.picture = read(*flight.pixels, flight.inputs);
-            flights.give_back(std::move(*flight.pixels));
+        if (auto& pixels = flight.pixels) {
+            flight.picture = read(*pixels, flight.inputs);
+            flights.give_back(std::move(*pixels));
         }
         if (!flight.picture) {
             draw_in_passes(); // some ray takes longer than a draw may
@@ -458,10 +465,10 @@ struct Renderer::Parts {
     RenderOptions options;
     scene::Scene scene;
     std::vector<std::unique_ptr<SurfacePasses>> surfaces;
-    SurfacePasses& first = *surfaces.front(); // its target, tiles and channels are those of all
-    const shader::Passes& passes = first.passes;
-    const ScenePlan& plan = first.plan;
-    PassTable& table = first.table;
+    SurfacePasses& first; // its target, tiles and channels are those of all
+    const shader::Passes& passes;
+    const ScenePlan& plan;
+    PassTable& table;
     const std::string passes_print; // of those that decide pixels
     Record record;                  // of the tile drawn last
     Planes planes;

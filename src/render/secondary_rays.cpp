@@ -19,7 +19,8 @@ SecondaryRays::SecondaryRays(const shader::Passes& passes, const scene::OneSurfa
                          std::nullopt};
         if (shadow_) mirror_->shadows.emplace(passes, tile);
     }
-    if (passes.has(Role::glass)) glass_.emplace(passes, tile, one.surface.material.glass->depth);
+    const auto& glass = one.surface.material.glass;
+    if (glass && passes.has(Role::glass)) glass_.emplace(passes, tile, glass->depth);
     if (passes.has(Role::glass_ground)) shadow_through_glass_.emplace(passes, tile);
 }
 
@@ -42,9 +43,9 @@ void SecondaryRays::trace(PassTable& table, const RayMarcher& marcher, const gpu
     };
     if (mirror_ && mirror_->shadows)
         trace_shadows(mirror_->ends, *mirror_->shadows, "mirrored_shadow_texture");
-    if (shadow_through_glass_)
-        trace_shadows(glass_->draw_ground(table, tile), *shadow_through_glass_,
-                      "glass_shadow_texture");
+    const gpu::Target* ground = glass_ ? glass_->draw_ground(table, tile) : nullptr;
+    if (ground && shadow_through_glass_)
+        trace_shadows(*ground, *shadow_through_glass_, "glass_shadow_texture");
     if (shadow_) trace_shadows(ends_, *shadow_, "shadow_texture");
 }
 

@@ -58,25 +58,29 @@ SeveralSurfaces::SeveralSurfaces(std::vector<SurfacePasses*> all)
         if (one->passes.has(Role::shadow)) shadow_.emplace_back(one->passes, tile);
         if (one->passes.has(Role::mirror)) mirror_.emplace_back(one->passes, tile);
     }
-    if (!mirror_.empty()) {
-        mirrored_.emplace(tile, kept_textures);
-        mirrors_.emplace(seen_.emplace(tile.target_width(), tile.target_height()));
-        for (const gpu::Target& target : mirrored_->targets) mirrors_->serve(target);
-        for (const RayTargets& rays : mirror_) {
-            mirrors_->serve(rays.even);
-            mirrors_->serve(rays.odd);
-        }
-    }
-    if (all_.front()->passes.has(Role::glass)) {
-        paths_.emplace(all_);
-        seen_.emplace(tile.target_width(), tile.target_height());
-        paths_->mask().serve(*seen_);
-        for (const RayTargets& rays : shadow_) {
-            paths_->mask().serve(rays.even);
-            paths_->mask().serve(rays.odd);
-        }
-    }
+    if (!mirror_.empty()) begin_mirrors(tile);
+    if (all_.front()->passes.has(Role::glass)) begin_paths(tile);
     if (all_.front()->passes.has(Role::occlusion)) open_.emplace(tile, 1);
+}
+
+void SeveralSurfaces::begin_mirrors(const MarchPlan& tile) {
+    const Relay& mirrored = mirrored_.emplace(tile, kept_textures);
+    const gpu::DepthMask& mirrors =
+        mirrors_.emplace(seen_.emplace(tile.target_width(), tile.target_height()));
+    for (const gpu::Target& target : mirrored.targets) mirrors.serve(target);
+    for (const RayTargets& rays : mirror_) {
+        mirrors.serve(rays.even);
+        mirrors.serve(rays.odd);
+    }
+}
+
+void SeveralSurfaces::begin_paths(const MarchPlan& tile) {
+    const gpu::DepthMask& mask = paths_.emplace(all_).mask();
+    mask.serve(seen_.emplace(tile.target_width(), tile.target_height()));
+    for (const RayTargets& rays : shadow_) {
+        mask.serve(rays.even);
+        mask.serve(rays.odd);
+    }
 }
 
 void SeveralSurfaces::find_ends(const PictureInputs& inputs, const gpu::Rectangle& tile,
@@ -94,30 +98,33 @@ void SeveralSurfaces::find_ends(const PictureInputs& inputs, const gpu::Rectangl
 // Where no mirror is seen, nothing reads what mirrored rays would see.
 void SeveralSurfaces::see_in_mirrors(const gpu::Rectangle& tile, const gpu::Texture* environment,
                                      int& draws) {
+    if (!mirrors_ || !mirrored_ || !seen_) return;
+    const gpu::DepthMask& mirrors = *mirrors_;
+    Relay& mirrored = *mirrored_;
+    const gpu::Target& to = *seen_;
     SurfacePasses& first = *all_.front();
     first.bind();
     first.table.bind_numbered("surface_texture", ends_.last());
-    mirrors_->set(*seen_, [&] { first.table.draw(first.table.program(Role::mirror_mask), tile); });
+    mirrors.set(to, [&] { first.table.draw(first.table.program(Role::mirror_mask), tile); });
     for (std::size_t k = 0; k < all_.size(); ++k) {
         SurfacePasses& one = *all_[k];
         one.bind();
         one.table.bind_numbered("surface_texture", ends_.last());
-        mirrors_->apply(*seen_, [&] {
-            one.marcher.march(one.table, Role::mirror, tile, mirror_[k], *seen_, draws);
-        });
-        one.table.bind_numbered("mirrored_texture", mirrored_->last());
-        mirrors_->apply(mirrored_->next(),
-                        [&] { one.table.draw(one.table.program(Role::mirror_surface), tile); });
+        mirrors.apply(
+            to, [&] { one.marcher.march(one.table, Role::mirror, tile, mirror_[k], to, draws); });
+        one.table.bind_numbered("mirrored_texture", mirrored.last());
+        mirrors.apply(mirrored.next(),
+                      [&] { one.table.draw(one.table.program(Role::mirror_surface), tile); });
     }
-    seen_->clear(0);
+    to.clear(0);
     for (std::size_t k = 0; k < all_.size(); ++k) {
         SurfacePasses& one = *all_[k];
         one.bind();
         if (environment) one.table.bind("environment_map", *environment);
         one.table.bind_numbered("state_texture", *rays_[k]);
         one.table.bind_numbered("surface_texture", ends_.last());
-        one.table.bind_numbered("mirrored_texture", mirrored_->last());
-        mirrors_->apply(*seen_, [&] { one.table.draw(one.table.program(Role::seen), tile); });
+        one.table.bind_numbered("mirrored_texture", mirrored.last());
+        mirrors.apply(to, [&] { one.table.draw(one.table.program(Role::seen), tile); });
     }
 }
 
@@ -138,32 +145,37 @@ const gpu::Target* SeveralSurfaces::cast_shadows(const gpu::Target& ends,
 }
 
 void SeveralSurfaces::look_around(const gpu::Rectangle& tile) {
+    if (!open_) return;
+    Relay& open = *open_;
     for (SurfacePasses* one : all_) {
         one->bind();
         one->table.bind_numbered("surface_texture", ends_.last());
-        one->table.bind("occlusion_texture", open_->last().texture(0));
-        one->table.draw(one->table.program(Role::occlusion), tile, open_->next());
+        one->table.bind("occlusion_texture", open.last().texture(0));
+        one->table.draw(one->table.program(Role::occlusion), tile, open.next());
     }
 }
 
 // Follows paths to their ends, and shades these.
 void SeveralSurfaces::follow_paths(const gpu::Rectangle& tile, const gpu::Texture* environment,
                                    int& draws) {
-    paths_->trace(ends_.last(), tile, environment, draws);
-    const gpu::Target& ends = paths_->draw_ends(tile);
+    if (!paths_ || !seen_) return;
+    LightPaths& paths = *paths_;
+    const gpu::Target& to = *seen_;
+    paths.trace(ends_.last(), tile, environment, draws);
+    const gpu::Target& ends = paths.draw_ends(tile);
     // Where the mask has no pixel, nothing reads what there is.
     const gpu::Target* hidden = nullptr;
-    paths_->mask().apply(ends, [&] { hidden = cast_shadows(ends, tile, paths_->spare(), draws); });
-    seen_->clear(0);
+    paths.mask().apply(ends, [&] { hidden = cast_shadows(ends, tile, paths.spare(), draws); });
+    to.clear(0);
     for (std::size_t k = 0; k < all_.size(); ++k) {
         SurfacePasses& one = *all_[k];
         one.bind();
         if (environment) one.table.bind("environment_map", *environment);
         if (hidden) one.table.bind("shadow_texture", hidden->texture(1));
         one.table.bind_numbered("state_texture", *rays_[k]);
-        one.table.bind_numbered("glass_texture", paths_->light());
+        one.table.bind_numbered("glass_texture", paths.light());
         one.table.bind_numbered("mirrored_texture", ends);
-        paths_->mask().apply(*seen_, [&] { one.table.draw(one.table.program(Role::seen), tile); });
+        paths.mask().apply(to, [&] { one.table.draw(one.table.program(Role::seen), tile); });
     }
 }
 
@@ -177,10 +189,10 @@ std::vector<int> SeveralSurfaces::seen(const gpu::Rectangle& tile) const {
 void SeveralSurfaces::draw(const PictureInputs& inputs, const gpu::Rectangle& tile,
                            const gpu::Target& result, const gpu::Texture* environment, int& draws) {
     find_ends(inputs, tile, result, draws);
-    if (mirrored_) see_in_mirrors(tile, environment, draws);
-    if (paths_) follow_paths(tile, environment, draws);
+    see_in_mirrors(tile, environment, draws);
+    follow_paths(tile, environment, draws);
     const gpu::Target* hidden = cast_shadows(ends_.last(), tile, result, draws);
-    if (open_) look_around(tile);
+    look_around(tile);
     for (std::size_t k = 0; k < all_.size(); ++k) {
         SurfacePasses& one = *all_[k];
         one.bind();

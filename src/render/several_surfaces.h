@@ -30,6 +30,8 @@ public:
     std::vector<int> seen(const gpu::Rectangle& tile) const override;
 
 private:
+    void begin_mirrors(const MarchPlan& tile);
+    void begin_paths(const MarchPlan& tile);
     void find_ends(const PictureInputs& inputs, const gpu::Rectangle& tile,
                    const gpu::Target& result, int& draws);
     void see_in_mirrors(const gpu::Rectangle& tile, const gpu::Texture* environment, int& draws);

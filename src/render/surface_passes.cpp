@@ -49,6 +49,27 @@ bool spreads_small_pictures(const gpu::ContextInfo& info, const scene::OneSurfac
            });
 }
 
+// Lists lie behind the elements that they list.
+int first_list(const shader::Passes& passes) {
+    return passes.arrays.empty() ? 0 : passes.arrays[0].capacity;
+}
+
+std::optional<BeamPass> beams_of_eye(const PlannedSurface& of, const gpu::ContextInfo& info) {
+    if (of.passes.beams.empty()) return std::nullopt;
+    return BeamPass(of.passes, of.drawn, of.plan.march, texels_for_lists(info),
+                    first_list(of.passes));
+}
+
+// `listed`: by the beams of the eye.
+std::optional<LightBeams> beams_of_lights(const PlannedSurface& of, const RenderOptions& options,
+                                          const gpu::ContextInfo& info, int listed) {
+    if (of.passes.light_beams == 0) return std::nullopt;
+    return LightBeams(of.passes, of.drawn, light_pixels(options.width, options.height),
+                      texels_for_lists(info), first_list(of.passes) + listed);
+}
+
+int listed_by(const auto& beams) { return beams ? beams->listed() : 0; }
+
 // Each surface keeps the states of its rays: smaller tiles keep that in bounds.
 constexpr int largest_tile_of_several = 512;
 
@@ -106,22 +127,18 @@ std::vector<PlannedSurface> plan_surfaces(const scene::Scene& scene, const Rende
 SurfacePasses::SurfacePasses(PlannedSurface planned, const RenderOptions& options,
                              const gpu::ContextInfo& info, std::function<void()> stop_if_asked)
     : planned_(std::move(planned))
+    , drawn(planned_.drawn)
+    , passes(planned_.passes)
+    , plan(planned_.plan)
     , table(passes)
     , marcher(passes, drawn.scene, plan, std::move(stop_if_asked))
+    , beams(beams_of_eye(planned_, info))
+    , light_beams(beams_of_lights(planned_, options, info, listed_by(beams)))
+    , field(passes, listed_by(beams) + listed_by(light_beams))
     , frame_(sizeof(FrameBlock))
     , shading_((7 + 2 * drawn.scene.lights.size()) * sizeof(glm::vec4))
     , threads_(options.threads)
     , most_listed_(std::size_t(info.max_texture_buffer_size)) {
-    const int texels = texels_for_lists(info);
-    const int elements = passes.arrays.empty() ? 0 : passes.arrays[0].capacity;
-    if (!passes.beams.empty()) beams.emplace(passes, drawn, plan.march, texels, elements);
-    int listed = beams ? beams->listed() : 0;
-    if (passes.light_beams != 0) {
-        light_beams.emplace(passes, drawn, light_pixels(options.width, options.height), texels,
-                            elements + listed);
-        listed += light_beams->listed();
-    }
-    field.emplace(passes, listed);
     if (passes.tapes) tapes_are_run_ = passes.tapes->are_run(passes);
     if (const auto array = shader::array_with_grid(passes))
         grid_maker_ = elements::GridMaker::of(*drawn.surface.field, *array);
@@ -156,18 +173,17 @@ void SurfacePasses::upload(const SurfaceInputs& inputs, int width, int height) {
     table.bind("Frame", frame_);
     shading_.update(std::as_bytes(std::span(inputs.shading)));
     table.bind("Shading", shading_);
-    field->upload(table, *inputs.field);
+    field.upload(table, *inputs.field);
     table.set(inputs.effects);
     if (light_beams) {
-        light_beams->draw(table, inputs.lights, layout(width, height).light_pixels,
-                          field->listed());
+        light_beams->draw(table, inputs.lights, layout(width, height).light_pixels, field.listed());
     }
 }
 
 void SurfacePasses::bind() {
     table.bind("Frame", frame_);
     table.bind("Shading", shading_);
-    field->bind(table);
+    field.bind(table);
     if (light_beams) light_beams->bind(table);
 }
 
@@ -177,7 +193,7 @@ void SurfacePasses::draw_beams(const SurfaceInputs& inputs, const gpu::Rectangle
     const glm::ivec2 corner = table.corner();
     table.timed([&] {
         beams->draw(table, inputs.eye.beams, {corner.x, corner.y, tile.width, tile.height},
-                    glm::ivec2(tile.x, tile.y) - corner, field->listed());
+                    glm::ivec2(tile.x, tile.y) - corner, field.listed());
     });
 }
 

@@ -50,15 +50,15 @@ private:
     PlannedSurface planned_;
 
 public:
-    const scene::OneSurface& drawn = planned_.drawn;
-    const shader::Passes& passes = planned_.passes;
-    const ScenePlan& plan = planned_.plan;
+    const scene::OneSurface& drawn;
+    const shader::Passes& passes;
+    const ScenePlan& plan;
     PassTable table;
     RayMarcher marcher;
-    std::optional<FieldBuffers> field;
     std::optional<BeamPass> beams;
     bool keeps_beams = false;
     std::optional<LightBeams> light_beams;
+    FieldBuffers field;
 
 private:
     gpu::UniformBuffer frame_, shading_;
