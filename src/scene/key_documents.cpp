@@ -114,6 +114,13 @@ constexpr std::string_view of_each_surface[] = {"parameters", "arrays", "isolati
 
 Json reference(std::string_view to) { return {{"$ref", fmt::format("#/{}", to)}}; }
 
+template<class Number> Json schema_of_range(const char* type, const KeyDescription& key) {
+    Json schema = {{"type", type}};
+    if (key.least) schema["minimum"] = Number(*key.least);
+    if (key.most) schema["maximum"] = Number(*key.most);
+    return schema;
+}
+
 Json schema_of(const KeyDescription& key) {
     Json schema;
     switch (key.type) {
@@ -127,12 +134,10 @@ Json schema_of(const KeyDescription& key) {
         schema = reference("definitions/color");
         break;
     case KeyType::number:
-        schema = {{"type", "number"}, {"minimum", *key.least}, {"maximum", *key.most}};
+        schema = schema_of_range<double>("number", key);
         break;
     case KeyType::integer:
-        schema = {{"type", "integer"},
-                  {"minimum", std::int64_t(*key.least)},
-                  {"maximum", std::int64_t(*key.most)}};
+        schema = schema_of_range<std::int64_t>("integer", key);
         break;
     case KeyType::truth:
         schema = {{"type", "boolean"}};

@@ -65,15 +65,17 @@ std::vector<std::size_t> matters(const Scene& scene) {
         if (scene.surfaces[k].material.glass) found.push_back(k);
     }
     std::ranges::stable_sort(found, std::greater{}, [&](std::size_t k) {
-        return scene.surfaces[k].material.glass->priority;
+        const auto& glass = scene.surfaces[k].material.glass;
+        return glass ? glass->priority : 0;
     });
     return found;
 }
 
 int depth_of_matters(const Scene& scene) {
     int depth = 0;
-    for (const std::size_t k : matters(scene))
-        depth = std::max(depth, scene.surfaces[k].material.glass->depth);
+    for (const Surface& surface : scene.surfaces) {
+        if (const auto& glass = surface.material.glass) depth = std::max(depth, glass->depth);
+    }
     return depth;
 }
 

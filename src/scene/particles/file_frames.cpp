@@ -138,10 +138,11 @@ FileFrames::FramePointer FileFrames::read(std::size_t k, const std::vector<bool>
         }
     }
     for (std::size_t c = 0; c < from.size(); ++c) {
-        if (!from[c]) continue;
-        const auto before = std::find(from.begin(), from.begin() + std::ptrdiff_t(c), from[c]);
+        const auto& column = from[c];
+        if (!column) continue;
+        const auto before = std::find(from.begin(), from.begin() + std::ptrdiff_t(c), column);
         frame->columns[c] = before == from.begin() + std::ptrdiff_t(c)
-                                ? take_numbers(table, request.file, *from[c])
+                                ? take_numbers(table, request.file, *column)
                                 : frame->columns[std::size_t(before - from.begin())];
     }
     return frame;

@@ -218,19 +218,20 @@ ParticleTable read_npy(const Bytes& bytes, const ParticleRequest& request) {
     std::vector<std::string> names;
     struct Place {
         std::size_t byte;
-        Stored kind;
+        Scalar scalar;
+        bool is_big;
     };
     std::vector<Place> places;
     std::size_t stride = 0;
     if (header.has_records) {
         for (const Field& field : header.fields) {
             const Stored kind = kind_of(header, field);
-            if (kind.scalar) {
+            if (const auto& scalar = kind.scalar) {
                 if (names.size() + field.count > std::size_t(limits::fields))
                     header.fail(fmt::format("has more than {} columns", limits::fields));
                 add_names(names, field.name, field.count);
                 for (std::size_t i = 0; i < field.count; ++i)
-                    places.push_back({stride + i * kind.size, kind});
+                    places.push_back({stride + i * kind.size, *scalar, kind.is_big});
             }
             stride += field.count * kind.size;
         }
@@ -238,12 +239,14 @@ ParticleTable read_npy(const Bytes& bytes, const ParticleRequest& request) {
     } else {
         const Stored kind = kind_of(header, header.fields[0]);
         const std::size_t columns = header.shape[1];
-        if (!kind.scalar) header.fail("holds texts, not numbers");
+        const auto& scalar = kind.scalar;
+        if (!scalar) header.fail("holds texts, not numbers");
         if (columns == 0 || columns > std::size_t(limits::fields))
             header.fail(fmt::format("has {} columns; 1 to {} are read", columns, limits::fields));
         names = names_without_names(columns);
         stride = kind.size * (header.by_columns ? 1 : columns);
-        for (std::size_t k = 0; k < columns; ++k) places.push_back({k * kind.size, kind});
+        for (std::size_t k = 0; k < columns; ++k)
+            places.push_back({k * kind.size, *scalar, kind.is_big});
     }
     if (names.empty()) header.fail("the records have no number");
     const Wanted wanted = wanted_of(request, table.format, names, table.count);
@@ -255,11 +258,11 @@ ParticleTable read_npy(const Bytes& bytes, const ParticleRequest& request) {
     const std::string_view data = in.take(table.count * size, "its numbers");
     for (std::size_t k = 0; k < names.size(); ++k) {
         table.columns.push_back(
-            {names[k], RawColumn{data.data() + places[k].byte, stride, *places[k].kind.scalar,
-                                 places[k].kind.is_big, bytes->data()}});
+            {names[k], RawColumn{data.data() + places[k].byte, stride, places[k].scalar,
+                                 places[k].is_big, bytes->data()}});
     }
     std::vector<Scalar> types;
-    for (const Place& place : places) types.push_back(*place.kind.scalar);
+    for (const Place& place : places) types.push_back(place.scalar);
     scale_colors(table, types);
     table.kept.push_back(bytes);
     return table;

@@ -42,7 +42,9 @@ public:
         , tags_(request, text) {}
 
     void read() {
-        while (const auto tag = tags_.next()) {
+        for (;;) {
+            const auto tag = tags_.next();
+            if (!tag) break;
             if (tag->name == "AppendedData" && tag->begins) {
                 appended(*tag);
                 break;

@@ -71,10 +71,11 @@ private:
 
 // The next line that says something; a comment begins with #.
 std::optional<std::string_view> next_row(Words& words) {
-    while (const auto line = words.rest_of_line()) {
+    for (;;) {
+        const auto line = words.rest_of_line();
+        if (!line) return std::nullopt;
         if (!line->empty() && line->front() != '#') return line;
     }
-    return std::nullopt;
 }
 
 } // namespace
@@ -124,7 +125,9 @@ ParticleTable read_rows(const Bytes& bytes, const ParticleRequest& request) {
     }
     RowReader rows(request, words, table);
     std::size_t blank = 0; // lines that are no rows, before the first
-    while (const auto line = next_row(words)) {
+    for (;;) {
+        const auto line = next_row(words);
+        if (!line) break;
         const auto cells = cells_of(*line);
         if (!rows.has_begun()) {
             blank = std::size_t(words.line()) - 1;

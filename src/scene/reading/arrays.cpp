@@ -78,8 +78,8 @@ int read_count(const ArrayNodes::Value& value) {
     return int(*count);
 }
 
-TableOptions read_data(const ArrayNodes& nodes, const base::Confines& within) {
-    Section section = *nodes.data;
+// `section`: where the file is named.
+TableOptions read_data(const ArrayNodes& nodes, Section section, const base::Confines& within) {
     TableOptions options;
     options.most = nodes.count ? read_count(*nodes.count) : limits::elements;
     options.counts_files = !nodes.count;
@@ -191,18 +191,17 @@ void check_times(Section section, const TableOptions& options, const ElementTabl
 }
 
 // The columns of a file become fields; a field that the scene writes itself goes before.
-void add_data(const ArrayNodes& nodes, const TableOptions& options, Tables& tables,
+void add_data(const ArrayNodes& nodes, Section section, const TableOptions& options, Tables& tables,
               TrackTable& tracks, animation::Array& array) {
     const ElementTable& table = tables.read(options);
-    check_times(*nodes.data, options, table, tables.timeline());
+    check_times(section, options, table, tables.timeline());
     array.samples = table.samples;
     array.count = nodes.count ? options.most : table.samples->most();
     for (std::size_t k = 0; k < table.fields.size(); ++k) {
         const std::string& field = table.fields[k];
         if (nodes.fields.count(field)) continue;
         array.fields.push_back({field, animation::Column{k}});
-        Section data = *nodes.data;
-        tracks.place(array.name + "." + field, data.dotted("file"), data.find("file"));
+        tracks.place(array.name + "." + field, section.dotted("file"), section.find("file"));
     }
 }
 
@@ -237,8 +236,8 @@ animation::Array make_array(const std::string& name, const ArrayNodes& nodes,
                             MistakeList& mistakes) {
     animation::Array array;
     array.name = name;
-    if (data) {
-        add_data(nodes, *data, tables, tracks, array);
+    if (data && nodes.data) {
+        add_data(nodes, *nodes.data, *data, tables, tracks, array);
     } else {
         if (!nodes.count) {
             fail(*nodes.place.node, nodes.place.key,
@@ -299,8 +298,9 @@ bool read_arrays(Section* catalogue, Section& sections, const animation::Timelin
     for (const std::string& name : all.names) {
         const ArrayNodes& nodes = all.nodes[name];
         if (!nodes.data) continue;
+        const Section& section = *nodes.data;
         mistakes.attempt([&] {
-            data[name] = read_data(nodes, within);
+            data[name] = read_data(nodes, section, within);
             tables.add(data[name]);
         });
     }

@@ -24,9 +24,11 @@ ContourParts read_contours(Section section, TrackTable& tracks) {
 
 Contours make_contours(const ContourParts& parts, const SurfaceParts& surface) {
     Contours contours = parts.contours;
+    const auto& value = parts.value;
+    if (!value) return contours;
     try {
         contours.value = std::make_shared<formula::Paint>(
-            formula::make_contours(*parts.value, surface.vocabulary, *surface.surface.field));
+            formula::make_contours(*value, surface.vocabulary, *surface.surface.field));
     } catch (const formula::ParseError& error) {
         fail(*parts.value_node, parts.value_key, error.what());
     } catch (const std::length_error& error) {

@@ -53,17 +53,18 @@ private:
     }
 
     void split_by_time() {
-        if (choice_.time == ColumnChoice::Time::none) {
+        const auto& column = choice_.time_column;
+        if (choice_.time == ColumnChoice::Time::none || !column) {
             rows_.times = {0};
             rows_.begin = {0, table_.count};
             if (table_.count > std::size_t(options_.most)) too_many(std::size_t(options_.most), 0);
             return;
         }
-        const std::vector<double> times = file_.numbers(*choice_.time_column);
+        const std::vector<double> times = file_.numbers(*column);
         auto bare = table_.bare.begin();
         std::size_t kept = 0;
         for (std::size_t row = 0; row < table_.count; ++row) {
-            begin_row(row, times[row], kept);
+            begin_row(row, table_.columns[*column].name, times[row], kept);
             if (bare != table_.bare.end() && *bare == row) {
                 ++bare;
                 if (sample_row_ != row) {
@@ -93,8 +94,8 @@ private:
                          options_.most + 1, options_.most));
     }
 
-    void begin_row(std::size_t row, double now, std::size_t kept) {
-        const std::string name = table_.columns[*choice_.time_column].name;
+    // `name`: of the column with the time.
+    void begin_row(std::size_t row, const std::string& name, double now, std::size_t kept) {
         if (choice_.time == ColumnChoice::Time::seconds) {
             if (!rows_.times.empty() && now == rows_.times.back()) return;
             if (!rows_.times.empty() && now < rows_.times.back()) {
@@ -111,31 +112,30 @@ private:
                  fmt::format("frames are numbered up to {}, not {}", limits::frames, now));
         }
         const auto frame = std::int64_t(now);
-        if (last_frame_ && frame == *last_frame_) return;
-        if (last_frame_) check_step(row, name, frame);
+        if (frame == last_frame_) return;
+        if (last_frame_) check_step(row, name, *last_frame_, frame);
         last_frame_ = frame;
         begin_sample(row, timeline_.time(frame), kept);
     }
 
-    void check_step(std::size_t row, const std::string& name, std::int64_t now) {
-        const std::int64_t step = now - *last_frame_;
+    void check_step(std::size_t row, const std::string& name, std::int64_t last, std::int64_t now) {
+        const std::int64_t step = now - last;
         if (step < 0) {
             fail(row, name,
-                 fmt::format("{} comes after {}; rows must be in the order of time", now,
-                             *last_frame_));
+                 fmt::format("{} comes after {}; rows must be in the order of time", now, last));
         }
         if (stride_ == 0) stride_ = step;
         if (step > stride_) {
             fail(row, name,
                  fmt::format("frame {} follows {}: frame {} is missing; a frame without "
                              "elements is a line with its number alone",
-                             now, *last_frame_, *last_frame_ + stride_));
+                             now, last, last + stride_));
         }
         if (step < stride_) {
             fail(row, name,
                  fmt::format("frame {} follows {}, but the frames before are {} apart; "
                              "uneven times go into a column `t`",
-                             now, *last_frame_, stride_));
+                             now, last, stride_));
         }
     }
 
@@ -161,7 +161,7 @@ private:
     }
 
     void take_columns() {
-        if (choice_.id_column) take_ids();
+        if (choice_.id_column) take_ids(*choice_.id_column);
         for (const std::size_t column : columns_.from) {
             rows_.names.push_back(table_.columns[column].name);
             rows_.values.push_back(file_.numbers(column));
@@ -170,8 +170,8 @@ private:
         rows_.velocities = columns_.velocities;
     }
 
-    void take_ids() {
-        rows_.ids = file_.whole_numbers(*choice_.id_column);
+    void take_ids(std::size_t column) {
+        rows_.ids = file_.whole_numbers(column);
         leave_out_bare(rows_.ids);
         for (std::size_t k = 0; k + 1 < rows_.begin.size(); ++k) {
             const auto ids =

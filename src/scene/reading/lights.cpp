@@ -45,6 +45,12 @@ std::optional<Around> read_section(Section& document, const char* name, const Ta
     return around;
 }
 
+// Whether a section that is there has no such key.
+bool lacks(Section& document, const char* name, const char* key) {
+    const auto section = document.section(name);
+    return section && !section->has(key);
+}
+
 } // namespace
 
 void read_lights(Section& document, Scene& scene, TrackTable& tracks) {
@@ -61,12 +67,12 @@ void read_lights(Section& document, Scene& scene, TrackTable& tracks) {
 void read_surroundings(Section& document, Scene& scene, TrackTable& tracks) {
     scene.ground = read_section<Ground>(document, "ground", keys::ground_keys, tracks);
     scene.fog = read_section<Fog>(document, "fog", keys::fog_keys, tracks);
-    if (scene.fog && !document.section("fog")->has("color")) {
+    if (scene.fog && lacks(document, "fog", "color")) {
         const auto& background = scene.output.background;
         scene.fog->color = tracks.add("fog.color", background[0], background[1], background[2]);
     }
     scene.ambient = read_section<Ambient>(document, "ambient", keys::ambient_keys, tracks);
-    if (scene.ambient && !document.section("ambient")->has("bottom"))
+    if (scene.ambient && lacks(document, "ambient", "bottom"))
         scene.ambient->bottom = scene.ambient->top;
     scene.occlusion = read_section<Occlusion>(document, "occlusion", keys::occlusion_keys, tracks);
 }

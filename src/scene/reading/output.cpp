@@ -73,7 +73,8 @@ void read_background(Section& section, const toml::node& node, Output& output) {
         output.transparent = true;
         output.background = {0, 0, 0};
     } else if (node.is_table()) {
-        output.gradient = read_gradient(*section.section("background"));
+        if (const auto background = section.section("background"))
+            output.gradient = read_gradient(*background);
     } else {
         section.attempt("background", [&] {
             output.background =

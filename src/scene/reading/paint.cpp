@@ -72,9 +72,11 @@ void check_work(const formula::Paint& paint, const SurfaceParts& surface, const 
 
 Paint make_paint(const PaintParts& parts, const SurfaceParts& surface) {
     Paint paint = parts.paint;
+    const auto& value = parts.value;
+    if (!value) return paint;
     try {
         paint.value = std::make_shared<formula::Paint>(
-            formula::make_paint(*parts.value, surface.vocabulary, *surface.surface.field));
+            formula::make_paint(*value, surface.vocabulary, *surface.surface.field));
     } catch (const formula::ParseError& error) {
         fail(*parts.value_node, parts.value_key, error.what());
     } catch (const std::length_error& error) {

@@ -31,12 +31,13 @@ std::string vector_text(const Vector& v) {
 Vector swapped(const Vector& v) { return {v[0], v[2], v[1]}; }
 
 PovNumber times(const PovNumber& n, double factor) {
-    if (n.is_plain()) return PovNumber::of(*n.value * factor);
+    if (const auto value = n.plain()) return PovNumber::of(*value * factor);
     return {fmt::format("{}*({})", factor, n.text), PovNumber::Strength::product, std::nullopt};
 }
 
 PovNumber plus(const PovNumber& a, const PovNumber& b) {
-    if (a.is_plain() && b.is_plain()) return PovNumber::of(*a.value + *b.value);
+    const auto first = a.plain(), second = b.plain();
+    if (first && second) return PovNumber::of(*first + *second);
     return {fmt::format("({}) + ({})", a.text, b.text), PovNumber::Strength::sum, std::nullopt};
 }
 
@@ -147,10 +148,9 @@ private:
         at_.expect("{", "background");
         const Vector color = values_.vector(at_, "background");
         at_.expect("}", "background");
-        const auto still = [](const PovNumber& n) { return n.value.has_value(); };
-        if (!std::ranges::all_of(color, still)) at_.fail("background", "must not move");
-        put(line, "output.background",
-            toml_text(glm::dvec3(*color[0].value, *color[1].value, *color[2].value)));
+        const auto still = still_vector(color);
+        if (!still) at_.fail("background", "must not move");
+        put(line, "output.background", toml_text(*still));
         has_background_ = true;
     }
 
@@ -228,8 +228,8 @@ private:
                                 double ahead) {
         using std::numbers::pi;
         if (!angle) return fmt::format("{}", 2 * std::atan(0.5 * up / ahead) * 180 / pi);
-        if (angle->is_plain()) {
-            const double half = std::tan(*angle->value * pi / 360) * up / right;
+        if (const auto plain = angle->plain()) {
+            const double half = std::tan(*plain * pi / 360) * up / right;
             return fmt::format("{}", 2 * std::atan(half) * 180 / pi);
         }
         return toml_text(fmt::format("360/pi*atan({}*tan(({})*pi/360))", up / right, angle->text));
@@ -527,8 +527,8 @@ private:
 
     void put_box(const PovWord& word, Vector low, Vector high) {
         for (std::size_t k = 0; k < 3; ++k) {
-            if (low[k].value && high[k].value && *low[k].value > *high[k].value)
-                std::swap(low[k], high[k]);
+            const auto &first = low[k].value, &second = high[k].value;
+            if (first && second && *first > *second) std::swap(low[k], high[k]);
         }
         put_bounds(word, fmt::format("{{ box = [{}, {}] }}", vector_text(low), vector_text(high)));
     }
@@ -570,9 +570,10 @@ private:
     // `b` is the power of POV-Ray's y, which is our z.
     static void add_term(const PovNumber& factor, int a, int b, int c, std::string& sum) {
         if (factor.value == 0.0) return;
-        std::string term = factor.is_plain() ? fmt::format("{}", std::abs(*factor.value))
-                                             : fmt::format("({})", factor.text);
-        const bool is_negative = factor.is_plain() && *factor.value < 0;
+        const auto plain = factor.plain();
+        std::string term =
+            plain ? fmt::format("{}", std::abs(*plain)) : fmt::format("({})", factor.text);
+        const bool is_negative = plain && *plain < 0;
         const auto multiply = [&](char name, int power) {
             if (power == 1) term += fmt::format("*{}", name);
             if (power > 1) term += fmt::format("*{}^{}", name, power);

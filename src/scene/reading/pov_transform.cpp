@@ -10,14 +10,10 @@
 namespace isomotion::scene {
 namespace {
 
-bool is_plain(const std::vector<PovNumber>& numbers) {
-    return std::ranges::all_of(numbers, [](const PovNumber& n) {
-        return n.value && n.text == PovNumber::of(*n.value).text;
-    });
-}
-
-glm::dvec3 plain(const std::vector<PovNumber>& numbers) {
-    return {*numbers[0].value, *numbers[1].value, *numbers[2].value};
+// The three numbers, if their texts state only these.
+std::optional<glm::dvec3> plain(const std::vector<PovNumber>& numbers) {
+    return std::ranges::all_of(numbers, &PovNumber::is_plain) ? still_vector(numbers)
+                                                              : std::nullopt;
 }
 
 // Rotations about x, then y, then z, of angles in radians.
@@ -56,8 +52,9 @@ void PovTransform::expect_still(const PovCursor& at, std::string_view what) cons
 
 void PovTransform::translate(const std::vector<PovNumber>& by) {
     const std::vector<PovNumber> swapped{by[0], by[2], by[1]};
-    if (is_plain(swapped) && !last_) {
-        still_ += plain(swapped);
+    const auto still = plain(swapped);
+    if (still && !last_) {
+        still_ += *still;
         return;
     }
     if (!last_) {
@@ -72,8 +69,8 @@ void PovTransform::translate(const std::vector<PovNumber>& by) {
 
 void PovTransform::rotate(const std::vector<PovNumber>& angles, const PovCursor& at) {
     expect_still(at, "rotate");
-    if (is_plain(angles)) {
-        const glm::dmat3 turn = with_axes_swapped(rotation(glm::radians(plain(angles))));
+    if (const auto still = plain(angles)) {
+        const glm::dmat3 turn = with_axes_swapped(rotation(glm::radians(*still)));
         rotation_ = turn * rotation_;
         still_ = turn * still_;
         return;
@@ -116,13 +113,12 @@ bool PovTransform::read(PovCursor& at, PovValues& values) {
     } else if (word == "rotate") {
         rotate(by, at);
     } else {
-        const bool is_even =
-            by[0].value && by[0].value == by[1].value && by[0].value == by[2].value;
-        if (!is_even) {
+        const auto& even = by[0].value;
+        if (!even || even != by[1].value || even != by[2].value) {
             at.fail("scale", "must be one number: another along each axis is not read. Write the "
                              "formula in x/2, say, in place of a scale of 2");
         }
-        scale(*by[0].value, at);
+        scale(*even, at);
     }
     at.go_to(behind);
     return true;

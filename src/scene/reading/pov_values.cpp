@@ -181,7 +181,15 @@ PovNumber PovNumber::of(double value) {
     return {fmt::format("{}", value), value < 0 ? Strength::sum : Strength::atom, value};
 }
 
-bool PovNumber::is_plain() const { return value && text == of(*value).text; }
+std::optional<glm::dvec3> still_vector(const PovValue& parts) {
+    const auto &x = parts[0].value, &y = parts[1].value, &z = parts[2].value;
+    if (!x || !y || !z) return std::nullopt;
+    return glm::dvec3(*x, *y, *z);
+}
+
+std::optional<double> PovNumber::plain() const {
+    return value && text == of(*value).text ? value : std::nullopt;
+}
 
 bool PovValues::is_color(const PovWord& word) const {
     return is_color_word(word.text) || named_color(word.text) || word.is("<") ||
@@ -373,10 +381,9 @@ PovValue PovValues::named(PovCursor& at) {
         PovValue read = name == "color" || name == "colour" ? signed_value(at) : part(at);
         if (read.size() == 1) read.resize(3, read[0]);
         if (name != "srgb") return read;
-        if (read.size() < 3 || !read[0].value || !read[1].value || !read[2].value)
-            at.fail("srgb", "needs three numbers that do not move");
-        const glm::dvec3 linear =
-            to_linear(glm::dvec3(*read[0].value, *read[1].value, *read[2].value));
+        const auto still = read.size() < 3 ? std::nullopt : still_vector(read);
+        if (!still) at.fail("srgb", "needs three numbers that do not move");
+        const glm::dvec3 linear = to_linear(*still);
         return {PovNumber::of(linear.x), PovNumber::of(linear.y), PovNumber::of(linear.z)};
     }
     if (arguments_) {

@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include <glm/glm.hpp>
+
 #include "scene/reading/pov_words.h"
 
 namespace isomotion::scene {
@@ -19,12 +21,16 @@ struct PovNumber {
     std::optional<double> value = 0.0;
 
     static PovNumber of(double value);
-    // Whether the text states only the value.
-    bool is_plain() const;
+    // The value, if the text states only that.
+    std::optional<double> plain() const;
+    bool is_plain() const { return plain().has_value(); }
 };
 
 // One number, or the parts of a vector or a colour.
 using PovValue = std::vector<PovNumber>;
+
+// The values of the first three parts, if none moves.
+std::optional<glm::dvec3> still_vector(const PovValue& parts);
 
 // Reads expressions. Names must be declared by the file; a declared number becomes a parameter that
 // formulas name.

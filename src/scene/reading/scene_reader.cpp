@@ -201,8 +201,8 @@ void SceneReader::read_document() {
     read_output(document, scene_);
     read_surroundings(document, scene_, tracks_);
     scene_.environment = read_environment(document, tracks_, within_);
-    if (parts_->catalogue) {
-        Section catalogue(*parts_->catalogue, "", mistakes_);
+    if (const auto& table = parts_->catalogue) {
+        Section catalogue(*table, "", mistakes_);
         read_isolation(catalogue, surface().isolation, given_);
     }
     read_isolation(own, surface().isolation, given_);
@@ -294,7 +294,9 @@ void SceneReader::measure() {
     // Curvatures are quotients of the same field's slopes.
     make_paints(material_, *parts_, mistakes_);
     mistakes_.throw_if_any();
-    if (material_.colormap) find_shown_range(*material_.colormap, scene_, *surface.material.paint);
+    const auto& map = material_.colormap;
+    auto& paint = surface.material.paint;
+    if (map && paint) find_shown_range(*map, scene_, *paint);
 }
 
 } // namespace isomotion::scene

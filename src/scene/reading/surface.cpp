@@ -44,7 +44,8 @@ Parameter read_parameter(Section& parameters, const std::string& name, const Ran
         section.tell("needs a default, or keys = [[t, value], ...]");
     } else if (range.least > range.most) {
         section.tell(fmt::format("min = {} is above max = {}", range.least, range.most));
-    } else if (value->is_number() && !range.contains(*value->value<double>())) {
+    } else if (const auto number = value->value<double>();
+               value->is_number() && number && !range.contains(*number)) {
         section.tell("default",
                      fmt::format("must be from min = {} to max = {}", range.least, range.most));
     }
@@ -250,7 +251,7 @@ std::unique_ptr<SurfaceParts> read_surface(Section& section, Section& sections,
     read_formula(section, *parts);
     read_parameters(sections, *parts, tracks);
     std::optional<Section> catalogue;
-    if (parts->catalogue) catalogue.emplace(*parts->catalogue, "", mistakes);
+    if (const auto& table = parts->catalogue) catalogue.emplace(*table, "", mistakes);
     parts->are_arrays_known = read_arrays(catalogue ? &*catalogue : nullptr, sections, timeline,
                                           tracks, within, parts->arrays);
     make_vocabulary(*parts, tracks, mistakes);
