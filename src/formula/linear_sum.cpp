@@ -1,6 +1,7 @@
 #include "formula/linear_sum.h"
 
 #include <map>
+#include <stdexcept>
 
 #include <fmt/format.h>
 
@@ -110,6 +111,12 @@ std::optional<LinearSum> linear_sum(const Field& field) {
     const NodeId body = graph[*sums.begin()].children[0];
     return LinearSum{schedule(graph, std::array{parts->rest, parts->factor}),
                      schedule(graph, std::array{body}, 1u << LinearSum::array)};
+}
+
+LinearSum known_linear_sum(const Field& field) {
+    auto sum = linear_sum(field);
+    if (!sum) throw std::logic_error("lists of elements for a field that is no linear sum");
+    return std::move(*sum);
 }
 
 std::string glsl_rest_and_factor_interval(const LinearSum& sum, const ArrayPacking& packing,

@@ -22,6 +22,8 @@ struct LinearSum {
 
 // For fields with one array and one sum over it. The programs are for intervals, as in enclosure.h.
 std::optional<LinearSum> linear_sum(const Field& field);
+// Throws std::logic_error for other fields.
+LinearSum known_linear_sum(const Field& field);
 
 // void rest_and_factor_interval(vec2 x, vec2 y, vec2 z, out vec2 rest, out vec2 factor); on doubles
 // each vec2 stands for a dvec2.

@@ -259,7 +259,7 @@ private:
     }
 
     void release() {
-        const render::Picture& picture = *picture_drawn_;
+        const render::Picture& picture = picture_drawn_;
         for (std::size_t v = 0; v < totals_.verdicts.size(); ++v) {
             totals_.verdicts[v] += picture.verdicts[v];
         }
@@ -311,12 +311,12 @@ private:
     }
 
     void write(PendingFrame& pending) {
-        image::Frame image = picture_drawn_->frame;
+        image::Frame image = picture_drawn_.frame;
         image.metadata = std::move(pending.metadata);
         std::function<std::optional<AuditCounts>()> audit = [] { return std::nullopt; };
         if (pending.draws && pending.is_audited) {
             audit = [this, frame = pending.frame, now = pending.now, aim = pending.aim,
-                     grid = std::move(pending.grid), endings = picture_drawn_->endings] {
+                     grid = std::move(pending.grid), endings = picture_drawn_.endings] {
                 return auditing_.hold(frame, *now, aim, grid, endings, watcher_.stop);
             };
         }
@@ -325,7 +325,7 @@ private:
                            [audit](const WrittenFile&) { audit(); });
             return;
         }
-        FrameRecord record = record_of(scene_, pending.frame, *pending.now, *picture_drawn_);
+        FrameRecord record = record_of(scene_, pending.frame, *pending.now, picture_drawn_);
         if (!pending.draws) record.drawing = 0;
         record.fingerprint = pending.fingerprint;
         record.provenance = sequence_.provenance;
@@ -344,7 +344,7 @@ private:
         const FrameStatus status =
             frame_status(name_.path(frame), record, pending.fingerprint, ISOMOTION_VERSION);
         totals_.found[status].push_back(frame);
-        if (status != FrameStatus::whole) return false;
+        if (status != FrameStatus::whole || !record) return false;
         if (record->provenance != sequence_.provenance) { // of a changed scene, as it was here
             FrameRecord again = *record;
             again.provenance = sequence_.provenance;
@@ -372,8 +372,8 @@ private:
     double part_ = 0;         // of the picture
     bool is_landing_ = false; // a frame before the one that is told of
 
-    std::string drawn_; // fingerprint of the picture drawn last or on its way
-    std::optional<render::Picture> picture_drawn_;
+    std::string drawn_;                 // fingerprint of the picture drawn last or on its way
+    render::Picture picture_drawn_;     // last
     std::vector<PendingFrame> waiting_; // for the picture on its way
 
     SequenceWriter writer_; // last: its thread uses the above

@@ -76,6 +76,7 @@ void look_at(int frame, const SequenceName& name, bool pixels, Verification& fou
     case FrameStatus::whole:
         break;
     }
+    if (!record) return; // none is whole without
     found.whole.push_back(frame);
     if (pixels && !has_the_pixels(file, *record)) found.repainted.push_back(frame);
     note_differences(found, *record);

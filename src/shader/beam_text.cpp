@@ -33,7 +33,7 @@ int pieces_of(const BeamLevel& beam) { return beam.lists == BeamLists::whole ? 1
 
 // What lists of elements need: the bound of F, and of what an element adds to its sum.
 void add_bounds_of_sum(ShaderText& text, const formula::Field& field, const FieldStorage& storage) {
-    const formula::LinearSum sum = formula::linear_sum(field).value();
+    const formula::LinearSum sum = formula::known_linear_sum(field);
     std::set<std::string> kernels = formula::interval_kernels_used(sum.rest_and_factor);
     kernels.merge(formula::interval_kernels_used(sum.term));
     add_field(text, field, storage, {FieldFunction::value_interval},

@@ -76,9 +76,9 @@ std::string hull_over_cells(const OverBox& of) {
 
 } // namespace
 
-void add_cells(ShaderText& text, const FieldStorage& storage) {
+void add_cells(ShaderText& text, const FieldStorage& storage, int by_place) {
     text.file("elements/cells.glsl");
-    const ArrayStorage& array = storage.arrays[std::size_t(*array_with_grid(storage))];
+    const ArrayStorage& array = storage.arrays[std::size_t(by_place)];
     text.generated("generated: an element of the list entered last",
                    fmt::format("vec4 {0}_texel(int element, int texel) {{ int at = "
                                "listed_element(element) * {1} + texel; return IM_BUFFER_AT({0}, "
@@ -93,8 +93,8 @@ std::string entering_cells(std::string glsl) {
     return glsl.insert(begin + 2, "    enter_cell(cell_of(p));\n");
 }
 
-std::string over_all_elements(const FieldStorage& storage, const std::string& glsl) {
-    const auto a = std::size_t(*array_with_grid(storage));
+std::string over_all_elements(const FieldStorage& storage, int by_place, const std::string& glsl) {
+    const auto a = std::size_t(by_place);
     const ArrayStorage& array = storage.arrays[a];
     // A copy, but in GLSL ES, where globals begin with constants.
     return fmt::format(

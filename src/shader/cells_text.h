@@ -11,13 +11,13 @@ namespace isomotion::shader {
 
 class ShaderText;
 
-// Adds cells and their lists, after the declarations of the field's storage.
-void add_cells(ShaderText& text, const FieldStorage& storage);
+// Adds cells and lists of the array with a grid, after the declarations of the field's storage.
+void add_cells(ShaderText& text, const FieldStorage& storage, int array);
 
 // A generated function that first looks up the cell of its place, "vec3 p".
 std::string entering_cells(std::string glsl);
 // A generated function that loops over all elements, whatever the current cell.
-std::string over_all_elements(const FieldStorage& storage, const std::string& glsl);
+std::string over_all_elements(const FieldStorage& storage, int array, const std::string& glsl);
 // A field's function: for a place as above; for a box under another name, for one cell.
 std::string in_cells(FieldFunction function, const std::string& glsl);
 // Adds the functions that combine the box's parts in all cells.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <optional>
+#include <stdexcept>
 
 #include <fmt/format.h>
 
@@ -140,7 +141,8 @@ const formula::Program& program_of(const formula::Field& field, FieldFunction fu
     case FieldFunction::breaks:
         return formula::enclosure_programs(field).breaks;
     case FieldFunction::hessian_interval:
-        return formula::hessian_program(field).value();
+        if (const auto& program = formula::hessian_program(field)) return *program;
+        throw std::logic_error("second derivatives of a field without");
     default:
         return formula::enclosure_programs(field).gradient;
     }
@@ -294,7 +296,7 @@ void add_field(ShaderText& text, const formula::Field& field, const FieldStorage
     std::set<std::string> kernels, interval_kernels;
     bool on_intervals = false;
     std::string generated;
-    const bool by_place = array_with_grid(storage).has_value();
+    const std::optional<int> by_place = array_with_grid(storage);
     const std::vector<FieldFunction> compiled =
         storage.tapes ? std::vector<FieldFunction>{} : functions;
     for (const FieldFunction function : compiled) {
@@ -314,7 +316,7 @@ void add_field(ShaderText& text, const formula::Field& field, const FieldStorage
     }
     text.generated("generated: parameters of the surface", declarations(storage));
     define_grid_limits(text, field, storage, functions);
-    if (by_place) add_cells(text, storage);
+    if (by_place) add_cells(text, storage, *by_place);
     if (storage.tapes) add_tapes(text, *storage.tapes, functions);
     if (!compiled.empty()) {
         text.generated("generated from: " + as_comment(field.text), generated);
@@ -322,7 +324,7 @@ void add_field(ShaderText& text, const formula::Field& field, const FieldStorage
     for (const GeneratedFunction& function : beside) {
         text.generated("generated from: " + as_comment(function.from),
                        !by_place           ? function.glsl
-                       : function.sums_all ? over_all_elements(storage, function.glsl)
+                       : function.sums_all ? over_all_elements(storage, *by_place, function.glsl)
                                            : entering_cells(function.glsl));
     }
     if (by_place && on_intervals) add_hulls_over_cells(text, functions);
@@ -333,7 +335,7 @@ void add_enclosures(ShaderText& text, const formula::Field& field, const FieldSt
     if (storage.tapes) return add_field(text, field, storage, functions);
     const std::optional<int> by_place = array_with_grid(storage);
     std::optional<formula::LinearSum> sum;
-    if (has_lists(storage)) sum = formula::linear_sum(field).value();
+    if (has_lists(storage)) sum = formula::known_linear_sum(field);
     formula::ListedArray listed;
     if (by_place) listed = {*by_place, formula::own_sums(field, *by_place)};
     if (sum) listed = {sum->array, formula::own_sums(field, sum->array)};
@@ -356,7 +358,7 @@ void add_enclosures(ShaderText& text, const formula::Field& field, const FieldSt
     text.generated("generated: parameters of the surface", declarations(storage));
     define_grid_limits(text, field, storage, functions);
     if (by_place) {
-        add_cells(text, storage);
+        add_cells(text, storage, *by_place);
         text.generated("generated: what lists leave out", declared_rest(storage));
     }
     if (sum) {

@@ -127,7 +127,9 @@ std::shared_ptr<const FieldTapes> FieldTapes::of(const formula::Field& field, in
     FieldTapes tapes(formula::ElementParameters(parameters, field.packing, std::move(ranges)));
     for (const auto& group : groups) {
         std::vector<formula::TapeRequest> requests;
-        for (const auto& [function, request] : group) {
+        for (const auto& of : group) {
+            const FieldFunction function = of.first;
+            const formula::TapeRequest& request = of.second;
             // Where jumps are walls, a normal is no slope along a ray. Elsewhere slopes along the
             // axes keep fewer values at a time.
             if (function == gradient && field.wall_distance == 0) continue;

@@ -70,10 +70,10 @@ std::optional<Timeline> sampled_on(int grid, const scene::OneSurface& one, Side 
 } // namespace
 
 Timeline sampled(const scene::OneSurface& one, Side solid, const Sampling& sampling) {
-    if (sampling.grid) return *sampled_on(*sampling.grid, one, solid, sampling, HUGE_VAL);
-    constexpr int finest = 64, coarsest = 16;
+    const int finest = sampling.grid.value_or(64), coarsest = sampling.grid.value_or(16);
+    const double most = sampling.grid ? HUGE_VAL : sampling.most_operations;
     for (int grid = finest; grid >= coarsest; grid /= 2) {
-        if (auto timeline = sampled_on(grid, one, solid, sampling, sampling.most_operations))
+        if (auto timeline = sampled_on(grid, one, solid, sampling, most))
             return *std::move(timeline);
     }
     throw std::invalid_argument(fmt::format(

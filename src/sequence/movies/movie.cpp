@@ -116,17 +116,21 @@ Words command(const Container& container, Size size, image::Rational rate,
                    {"-f", container.name, "file:" + file.string()}});
 }
 
+std::filesystem::path ffmpeg() {
+    const auto found = base::find_program("ffmpeg");
+    if (!found)
+        throw Error(Error::Code::device,
+                    "ffmpeg is not on PATH: install it with apt-get install ffmpeg");
+    return *found;
+}
+
 } // namespace
 
 void check_movie(const std::filesystem::path& movie, image::Rational frames_per_second) {
     check_rate(movie, container_of(movie), frames_per_second);
 }
 
-void expect_ffmpeg() {
-    if (!base::find_program("ffmpeg"))
-        throw Error(Error::Code::device,
-                    "ffmpeg is not on PATH: install it with apt-get install ffmpeg");
-}
+void expect_ffmpeg() { ffmpeg(); }
 
 bool write_movie(const std::filesystem::path& movie, const MoviePictures& pictures,
                  image::Rational frames_per_second, const std::function<bool()>& stop) {
@@ -134,15 +138,14 @@ bool write_movie(const std::filesystem::path& movie, const MoviePictures& pictur
     check_rate(movie, container, frames_per_second);
     if (pictures.count == 0)
         throw Error(Error::Code::input, movie.string() + ": a movie needs at least one picture");
-    expect_ffmpeg();
-    const auto ffmpeg = base::find_program("ffmpeg");
+    const std::filesystem::path program = ffmpeg();
 
     image::Frame frame = pictures.picture(0);
     const Size size{frame.width, frame.height};
     const Size shown = container.even_size ? Size{to_even(size.width), to_even(size.height)} : size;
 
     base::PartialFile partial(movie);
-    base::ChildProcess encoder(*ffmpeg,
+    base::ChildProcess encoder(program,
                                command(container, shown, frames_per_second, partial.path()));
     bool fed = true;
     const auto stopped = [&] { return stop && stop(); };

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <memory>
+#include <stdexcept>
 #include <thread>
 
 #include "base/workers.h"
@@ -326,7 +327,9 @@ std::optional<SignGrid> FrameSigns::make(const formula::Bindings<double>& bindin
 SignGrid frame_signs(const formula::Field& field, const formula::Bindings<double>& bindings,
                      const scene::BoundsAt& bounds, Side solid, int side, int threads) {
     Work unlimited;
-    return *FrameSigns(field).at(bindings, bounds, solid, side, threads, unlimited);
+    auto signs = FrameSigns(field).at(bindings, bounds, solid, side, threads, unlimited);
+    if (!signs) throw std::logic_error("work without a limit is over");
+    return *std::move(signs);
 }
 
 SignGrid frame_signs(const SpaceFormula& formula, const scene::BoundsAt& bounds, int side) {

@@ -62,7 +62,7 @@ private:
     // The jet as it is along the wall, where H falls out of the bounds.
     PointJet within(PointJet jet, const SpacePoint& p) const {
         if (!ground_.is_solid) return jet;
-        if (ground_.sphere) return within_sphere(jet, p);
+        if (const auto& sphere = ground_.sphere) return within_sphere(jet, p, *sphere);
         for (std::size_t i = 0; i < 3; ++i) {
             const formula::Interval wall = ground_.box[i];
             const bool is_free = jet.gradient[i] < 0 ? p[i] < wall.hi - 1.5 * inset()
@@ -74,12 +74,12 @@ private:
         return jet;
     }
 
-    PointJet within_sphere(PointJet jet, const SpacePoint& p) const {
-        const SpacePoint off = difference(p, ground_.sphere->centre);
+    PointJet within_sphere(PointJet jet, const SpacePoint& p, const Domain::Sphere& sphere) const {
+        const SpacePoint off = difference(p, sphere.centre);
         const double far = length(off);
         const SpacePoint out = along({}, 1 / far, off);
         const double slope = dot(jet.gradient, out);
-        if (slope >= 0 || far < ground_.sphere->radius - 1.5 * inset()) return jet;
+        if (slope >= 0 || far < sphere.radius - 1.5 * inset()) return jet;
         jet.gradient = along(jet.gradient, -slope, out);
         SpacePoint across;
         for (std::size_t i = 0; i < 3; ++i) across[i] = dot(jet.hessian[i], out);

@@ -292,27 +292,32 @@ void add_frames_near_ends(const Timeline& timeline, const KindProofs& proofs,
     std::ranges::sort(known, {}, &Counting::Checkpoint::time);
 }
 
+// Times at which something happens, joined where they overlap; whether it is degenerate.
+std::vector<std::pair<Interval, bool>> moments_of(const Timeline& timeline) {
+    std::vector<std::pair<Interval, bool>> moments;
+    for (const Event& event : timeline.events) moments.emplace_back(event.time, false);
+    for (const Unresolved& place : timeline.unresolved) moments.emplace_back(place.time, true);
+    std::ranges::sort(moments, {}, [](const auto& snapshot) { return snapshot.first.lo; });
+    std::vector<std::pair<Interval, bool>> joined;
+    for (const auto& [time, is_degenerate] : moments) {
+        if (!joined.empty() && time.lo <= joined.back().first.hi) {
+            joined.back().first = hull(joined.back().first, time);
+            joined.back().second |= is_degenerate;
+        } else {
+            joined.emplace_back(time, is_degenerate);
+        }
+    }
+    return joined;
+}
+
 // The ends, and frames close about degenerate places.
 std::vector<Counting::Checkpoint> known_frames(const Timeline& timeline, const KindProofs& proofs) {
     std::vector<Counting::Checkpoint> known;
     if (timeline.start && timeline.start_is_proved)
         known.push_back({0, timeline.range.lo, *timeline.start});
     if (proofs.frame) {
-        // Times at which something happens, joined where they overlap. Frames are sought between
-        // them.
-        std::vector<std::pair<Interval, bool>> moments; // true: degenerate
-        for (const Event& event : timeline.events) moments.emplace_back(event.time, false);
-        for (const Unresolved& place : timeline.unresolved) moments.emplace_back(place.time, true);
-        std::ranges::sort(moments, {}, [](const auto& snapshot) { return snapshot.first.lo; });
-        std::vector<std::pair<Interval, bool>> joined;
-        for (const auto& [time, is_degenerate] : moments) {
-            if (!joined.empty() && time.lo <= joined.back().first.hi) {
-                joined.back().first = hull(joined.back().first, time);
-                joined.back().second |= is_degenerate;
-            } else {
-                joined.emplace_back(time, is_degenerate);
-            }
-        }
+        // Frames are sought between these.
+        const std::vector<std::pair<Interval, bool>> joined = moments_of(timeline);
         for (std::size_t k = 0; k <= joined.size(); ++k) {
             const bool beside_degenerate =
                 (k > 0 && joined[k - 1].second) || (k < joined.size() && joined[k].second);

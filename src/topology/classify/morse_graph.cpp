@@ -55,13 +55,13 @@ std::optional<Route> MorseGraph::route(const DescentPath& from, const DescentPat
     }
     if (root(parts, first) != root(parts, last)) return std::nullopt;
     // The search goes back from the last node; each node knows by which pass it was reached.
-    std::vector<std::optional<std::size_t>> by(parts.size());
+    std::vector<std::size_t> by(parts.size(), Route::none);
     std::vector<int> reached{last};
     for (std::size_t next = 0; next < reached.size(); ++next) {
         const int here = reached[next];
         for (const std::size_t k : tree[std::size_t(here)]) {
             const int there = ends_[k][ends_[k][0] == here ? 1 : 0];
-            if (there == last || by[std::size_t(there)]) continue;
+            if (there == last || by[std::size_t(there)] != Route::none) continue;
             by[std::size_t(there)] = k;
             reached.push_back(there);
         }
@@ -73,7 +73,7 @@ std::optional<Route> MorseGraph::route(const DescentPath& from, const DescentPat
     };
     add(from.points.begin(), from.points.end(), Route::none);
     for (int here = first; here != last;) {
-        const std::size_t k = *by[std::size_t(here)];
+        const std::size_t k = by[std::size_t(here)];
         const std::size_t up = ends_[k][0] == here ? 0 : 1;
         const auto& there = connections_[k].paths[up].points;
         const auto& onward = connections_[k].paths[1 - up].points; // both begin at the pass

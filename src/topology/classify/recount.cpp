@@ -43,19 +43,24 @@ Answer answer_of_grids(const Betti& claimed, double time, const Recounting& how)
 } // namespace
 
 Recount recount(const Timeline& timeline, const Recounting& how) {
-    std::vector<Step> spans;
+    struct Span {
+        formula::Interval time;
+        Betti solid;
+    };
+    std::vector<Span> spans;
     for (const Step& step : steps_of(timeline).steps) {
         const double time = mid(step.time);
         const bool has_inside = step.time.lo < time && time < step.time.hi;
-        if (step.is_proved && step.solid && has_inside) spans.push_back(step);
+        const auto& solid = step.solid;
+        if (step.is_proved && solid && has_inside) spans.push_back({step.time, *solid});
     }
     const auto all_spans = int(spans.size());
-    std::ranges::stable_sort(spans, std::greater{}, [](const Step& s) { return width(s.time); });
+    std::ranges::stable_sort(spans, std::greater{}, [](const Span& s) { return width(s.time); });
     if (spans.size() > most_spans) spans.resize(most_spans);
     std::vector<Answer> answers(spans.size(), Answer::unknown);
     base::share({spans.size(), how.threads, how.stopped, how.progress}, [&] {
         return [&](std::size_t k) {
-            answers[k] = answer_of_grids(*spans[k].solid, mid(spans[k].time), how);
+            answers[k] = answer_of_grids(spans[k].solid, mid(spans[k].time), how);
         };
     });
     std::vector<std::size_t> doubted;
@@ -68,14 +73,15 @@ Recount recount(const Timeline& timeline, const Recounting& how) {
     });
     Recount all{all_spans, int(std::ranges::count(answers, Answer::agrees))};
     for (std::size_t d = 0; d < doubted.size(); ++d) {
-        const Step& span = spans[doubted[d]];
-        if (!proofs[d]) continue;
-        if (*proofs[d] != *span.solid) {
+        const Span& span = spans[doubted[d]];
+        const auto& proof = proofs[d];
+        if (!proof) continue;
+        if (*proof != span.solid) {
             throw Error(Error::Code::internal,
                         fmt::format("isomotion contradicts itself: the events leave {} from {} s "
                                     "to {} s, and a proof of the frame at {} s has {}",
-                                    in_words(*span.solid), span.time.lo, span.time.hi,
-                                    mid(span.time), in_words(*proofs[d])));
+                                    in_words(span.solid), span.time.lo, span.time.hi,
+                                    mid(span.time), in_words(*proof)));
         }
         ++all.agree;
     }

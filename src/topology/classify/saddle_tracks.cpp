@@ -34,12 +34,13 @@ std::vector<Saddle> moved(const FieldAt& field, std::span<const Saddle> saddles,
     const auto found = saddles_near(field(to), guesses, size, reach * size);
     std::vector<Saddle> there, lost;
     for (std::size_t k = 0; k < saddles.size(); ++k) {
-        if (!found[k]) {
+        const auto& at = found[k];
+        if (!at) {
             lost.push_back(saddles[k]);
             continue;
         }
-        const SpacePoint by = difference(*found[k], saddles[k].at);
-        there.push_back({*found[k], along({}, 1 / dt, by), false});
+        const SpacePoint by = difference(*at, saddles[k].at);
+        there.push_back({*at, along({}, 1 / dt, by), false});
     }
     if (!lost.empty() && halvings < most_halvings) {
         const double between = from / 2 + to / 2;

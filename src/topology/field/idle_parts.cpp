@@ -109,7 +109,9 @@ void drop_idle_parts(Motion& motion) {
         }
         return std::nullopt;
     };
-    while (const auto found = with_idle_clamp()) {
+    for (;;) {
+        const auto found = with_idle_clamp();
+        if (!found) return;
         const Node polynomial = g[found->first];
         const auto in_its_place = [&](Graph& to, const Node& node, NodeId rebuilt) {
             return node == polynomial ? to.chebyshev(node.index, found->second, node.second)

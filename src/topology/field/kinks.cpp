@@ -4,6 +4,7 @@
 #include <cmath>
 #include <map>
 #include <set>
+#include <stdexcept>
 #include <utility>
 
 #include "formula/graph/derivative.h"
@@ -98,8 +99,9 @@ using SameDifference = std::vector<std::vector<NodeId>>;
 SameDifference same_differences(Graph& g, std::span<const NodeId> choices) {
     std::map<std::pair<NodeId, NodeId>, std::vector<NodeId>> by_difference;
     for (const NodeId id : choices) {
-        const auto [a, b] = *difference(g, Node(g[id]));
-        by_difference[std::minmax(a, b)].push_back(id);
+        const auto compared = difference(g, Node(g[id]));
+        if (!compared) continue;
+        by_difference[std::minmax(compared->first, compared->second)].push_back(id);
     }
     SameDifference several;
     for (auto& [compared, same] : by_difference) {
@@ -237,6 +239,10 @@ struct KinkTree::Branch {
     std::vector<char> path;
     const Branch* above = nullptr;
     std::optional<Question> question; // none of a smooth formula
+    const Question& known_question() const {
+        if (!question) throw std::logic_error("a smooth formula has no question");
+        return *question;
+    }
     std::array<std::unique_ptr<Branch>, 4> below{};
 };
 
@@ -294,7 +300,7 @@ KinkTree::Branch& KinkTree::below(Branch& branch, char side) {
     auto& made = branch.below[std::size_t(static_cast<unsigned char>(side))];
     if (made) return *made;
     Graph& g = formula_.graph;
-    const Question& question = *branch.question;
+    const Question& question = branch.known_question();
     std::vector<Kink> kinks = branch.kinks;
     std::vector<NodeId> cones = branch.beside;
     NodeId height{}; // what stands for |h|
@@ -353,7 +359,7 @@ KinkTree::Branch& KinkTree::below(Branch& branch, char side) {
 }
 
 Interval KinkTree::asked(const Branch& branch, std::span<const Interval> inputs) {
-    const Question& question = *branch.question;
+    const Question& question = branch.known_question();
     if (!question.evaluator)
         question.evaluator = std::make_unique<formula::Evaluator<Interval>>(question.h);
     Interval h;

@@ -328,13 +328,15 @@ Motions motions(const scene::OneSurface& one, Side side, Interval range, Clock c
         from = to;
     }
     if (clock == Clock::track_if_one && all.jumps.empty()) {
-        if (auto motion = through_one_track(one, parts, side, range)) {
-            motion->clock = MonotoneTrack(one, *motion->driver, range).values();
+        auto whole = through_one_track(one, parts, side, range);
+        const auto driver = whole ? whole->driver : std::nullopt;
+        if (whole && driver) {
+            whole->clock = MonotoneTrack(one, *driver, range).values();
             // A track with a pole in the range is no clock: there is no end to its values.
-            if (std::isfinite(motion->clock.lo) && std::isfinite(motion->clock.hi)) {
-                drop_idle_parts(*motion);
+            if (std::isfinite(whole->clock.lo) && std::isfinite(whole->clock.hi)) {
+                drop_idle_parts(*whole);
                 all.pieces.clear();
-                all.pieces.push_back(std::move(*motion));
+                all.pieces.push_back(std::move(*whole));
                 return all;
             }
         }

@@ -56,9 +56,10 @@ std::optional<SpacePoint> solve(const SpaceMatrix& a, const SpacePoint& b) {
     return x;
 }
 
-// Finds the direction by Jacobi's rotations.
-SpacePoint least_direction(SpaceMatrix a, const std::array<bool, 3>& free) {
-    SpaceMatrix columns{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
+namespace {
+
+// Makes a diagonal by Jacobi's rotations, which `columns` add up.
+void rotate_to_diagonal(SpaceMatrix& a, SpaceMatrix& columns, const std::array<bool, 3>& free) {
     double size = 0;
     for (const auto& row : a) size = std::max(size, length(row));
     for (int sweep = 0; sweep < 30; ++sweep) {
@@ -81,6 +82,13 @@ SpacePoint least_direction(SpaceMatrix a, const std::array<bool, 3>& free) {
         }
         if (is_diagonal) break;
     }
+}
+
+} // namespace
+
+SpacePoint least_direction(SpaceMatrix a, const std::array<bool, 3>& free) {
+    SpaceMatrix columns{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
+    rotate_to_diagonal(a, columns, free);
     std::optional<std::size_t> least;
     for (std::size_t k = 0; k < 3; ++k) {
         if (free[k] && (!least || a[k][k] < a[*least][*least])) least = k;

@@ -330,9 +330,12 @@ void add_at_knot(std::vector<KnotPoint> before, std::vector<KnotPoint> after, bo
     };
     for (const KnotPoint& point : before) {
         std::optional<AtKnot> met;
-        const auto same = std::ranges::find_if(
-            after, [&](const KnotPoint& other) { return !jumps && (met = meet(point, other)); });
-        if (same == after.end()) {
+        auto same = after.begin();
+        for (; !jumps && same != after.end(); ++same) {
+            met = meet(point, *same);
+            if (met) break;
+        }
+        if (!met) {
             leave(point, why::rule_changes);
             continue;
         }

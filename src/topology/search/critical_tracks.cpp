@@ -183,7 +183,8 @@ std::vector<Point> near_crossings(const MovingField& field, const TrackOptions& 
     }
     const auto limits = follower.limits(from, most_steps);
     for (std::size_t k = 0; k < limits.size(); ++k) {
-        if (limits[k]) follower.place(moments[of[k]], *limits[k]);
+        const auto& limit = limits[k];
+        if (limit) follower.place(moments[of[k]], *limit);
     }
     const auto follow_on = [&](std::size_t k, std::size_t next, bool forwards) {
         std::vector<Point> guesses;

@@ -24,13 +24,14 @@ std::optional<Point> limit(const Box& domain, Numbers& numbers, const Box& box, 
     for (int k = 0; k < 20 && !converges; ++k) {
         const auto step = newton_step(numbers.jet(x), n);
         if (!step) return std::nullopt;
+        const auto& by = *step;
         converges = true;
         for (std::size_t i = 0; i < n; ++i) {
-            x[i] -= (*step)[i];
+            x[i] -= by[i];
             const double reach = box[i].hi - box[i].lo, whole = domain[i].hi - domain[i].lo;
             if (!(std::abs(x[i] - mid(box[i])) <= 2 * reach + 1e-9 * whole)) return std::nullopt;
             const double scale = std::max(std::abs(x[i]), magnitude(domain[i]));
-            converges &= std::abs((*step)[i]) <= 1e-14 * scale;
+            converges &= std::abs(by[i]) <= 1e-14 * scale;
         }
     }
     return x;

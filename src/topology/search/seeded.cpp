@@ -139,8 +139,9 @@ SearchResult from_seeds(const MovingField& field, const SeedOptions& seeding) {
     };
     base::share(proving, prove);
     for (std::size_t k = 0; k < once.size(); ++k) {
-        if (points[k]) {
-            found.points.push_back(*points[k]);
+        const auto& point = points[k];
+        if (point) {
+            found.points.push_back(*point);
         } else {
             found.unresolved.push_back(about(field, once[k]));
         }

@@ -178,12 +178,13 @@ private:
         std::vector<std::size_t> alone;
         std::vector<char> taken(there_.size(), 0);
         for (std::size_t e = 0; e < pairs.size(); ++e) {
-            if (!pairs[e]) {
+            const auto& pair = pairs[e];
+            if (!pair) {
                 alone.push_back(wanted_[e]);
                 continue;
             }
-            taken[*pairs[e]] = 1;
-            paired(expected_.events[wanted_[e]], found_.events[there_[*pairs[e]]]);
+            taken[*pair] = 1;
+            paired(expected_.events[wanted_[e]], found_.events[there_[*pair]]);
         }
         std::vector<std::size_t> others;
         for (std::size_t f = 0; f < there_.size(); ++f) {

@@ -39,8 +39,9 @@ std::vector<std::string> contradictions_within(const Event& event, const Timelin
 
 std::vector<std::string> contradictions(const Timeline& timeline, animation::FrameRate fps) {
     std::vector<std::string> found;
-    if (!timeline.is_complete()) return found;
-    Betti now = *timeline.start;
+    const auto &start = timeline.start, &end = timeline.end;
+    if (!timeline.is_complete() || !start || !end) return found;
+    Betti now = *start;
     for (const Event& event : timeline.events) {
         const std::string what =
             fmt::format("{} at frame {}", name(event.kind), frame_text(frames_at(fps, event.time)));
@@ -59,9 +60,9 @@ std::vector<std::string> contradictions(const Timeline& timeline, animation::Fra
         }
         if (event.after) now = *event.after;
     }
-    if (*timeline.end != now) {
+    if (*end != now) {
         found.push_back(fmt::format("at the end are {}; what comes before it leaves {}",
-                                    in_words(*timeline.end), in_words(now)));
+                                    in_words(*end), in_words(now)));
     }
     return found;
 }
