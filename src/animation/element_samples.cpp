@@ -61,6 +61,13 @@ std::optional<std::size_t> ElementSamples::velocity_of(std::size_t column) const
 
 bool ElementSamples::is_curved(std::size_t column) const { return velocity_of(column).has_value(); }
 
+std::span<const double> ElementSamples::velocities(const SampleSource::Sample& sample,
+                                                   std::size_t column) const {
+    const auto velocity = velocity_of(column);
+    if (!velocity) return {};
+    return sample.columns[*velocity];
+}
+
 // The columns that are read, and the velocities of those that need them.
 std::vector<bool> ElementSamples::needed() const {
     std::vector<bool> columns = reads_;
@@ -149,11 +156,11 @@ ElementSamples::Span ElementSamples::span(double time) const {
         span.begin.fields[c] = exact(here, c);
         span.end[c] = span.begin.fields[c];
         std::span<const double> leaving, arriving; // velocities
-        if (const auto velocity = velocity_of(c)) {
+        if (is_curved(c)) {
             span.begin_velocity[c].resize(here.count);
             span.end_velocity[c].resize(here.count);
-            leaving = here.columns[*velocity];
-            if (around.moves) arriving = there.columns[*velocity];
+            leaving = velocities(here, c);
+            if (around.moves) arriving = velocities(there, c);
         }
         if (!around.moves) continue;
         const double factor = factors_[c], unit = factor * around.seconds;

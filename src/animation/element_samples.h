@@ -88,6 +88,9 @@ private:
 
     // The column with the velocity by which a column's values move.
     std::optional<std::size_t> velocity_of(std::size_t column) const;
+    // The velocities of a column with is_curved(), one for each row; of others none.
+    std::span<const double> velocities(const SampleSource::Sample& sample,
+                                       std::size_t column) const;
     std::vector<double> exact(const SampleSource::Sample& sample, std::size_t column) const;
     Pair pair(double time) const;
     std::vector<bool> needed() const;
