@@ -170,8 +170,8 @@ private:
         const std::size_t line = at_.take().line;
         const PovNumber zero = PovNumber::of(0), one = PovNumber::of(1);
         Vector location{zero, zero, zero}, sky{zero, one, zero};
-        std::optional<Vector> target;
-        std::optional<PovNumber> angle;
+        Vector target; // none: along the third axis
+        Vector angle;  // one number, or none
         std::size_t location_line = line, target_line = line, angle_line = line;
         double right = 4.0 / 3, up = 1, ahead = 1;
         bool is_orthographic = false;
@@ -187,7 +187,7 @@ private:
                 target = values_.vector(at_, word.text);
                 target_line = word.line;
             } else if (word.is("angle")) {
-                angle = values_.number(at_, word.text);
+                angle = {values_.number(at_, word.text)};
                 angle_line = word.line;
             } else if (word.is("sky")) {
                 sky = values_.vector(at_, word.text);
@@ -207,9 +207,9 @@ private:
                                      word.text));
             }
         }
-        if (!target) target = Vector{location[0], location[1], plus(location[2], one)};
+        if (target.empty()) target = {location[0], location[1], plus(location[2], one)};
         put(location_line, "camera.position", vector_text(swapped(location)));
-        put(target_line, "camera.target", vector_text(swapped(*target)));
+        put(target_line, "camera.target", vector_text(swapped(target)));
         put(line, "camera.up", vector_text(swapped(sky)));
         if (is_orthographic) {
             put(line, "camera.projection", "\"orthographic\"");
@@ -224,15 +224,15 @@ private:
     }
 
     // The field of view upwards, where POV-Ray's angle is across.
-    static std::string fov_text(const std::optional<PovNumber>& angle, double right, double up,
-                                double ahead) {
+    static std::string fov_text(const Vector& angle, double right, double up, double ahead) {
         using std::numbers::pi;
-        if (!angle) return fmt::format("{}", 2 * std::atan(0.5 * up / ahead) * 180 / pi);
-        if (const auto plain = angle->plain()) {
+        if (angle.empty()) return fmt::format("{}", 2 * std::atan(0.5 * up / ahead) * 180 / pi);
+        if (const auto plain = angle[0].plain()) {
             const double half = std::tan(*plain * pi / 360) * up / right;
             return fmt::format("{}", 2 * std::atan(half) * 180 / pi);
         }
-        return toml_text(fmt::format("360/pi*atan({}*tan(({})*pi/360))", up / right, angle->text));
+        return toml_text(
+            fmt::format("360/pi*atan({}*tan(({})*pi/360))", up / right, angle[0].text));
     }
 
     // ----- lights and ground
