@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <functional>
-#include <ranges>
 #include <span>
 #include <utility>
 
@@ -115,7 +114,8 @@ int most_kept(const Tape& tape) {
 // The last output first, as it is a slope of the first, and values where slopes ask for them.
 Tape values_in_slopes(const Tape& tape) {
     Order order(tape);
-    for (const int output : std::views::reverse(tape.outputs)) order.add(output);
+    for (auto output = tape.outputs.rbegin(); output != tape.outputs.rend(); ++output)
+        order.add(*output);
     return order.take();
 }
 
