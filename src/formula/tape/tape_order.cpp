@@ -164,13 +164,14 @@ Tape slopes_behind_values(const Tape& tape, const std::vector<bool>& for_values)
 
 bool is_leaf(const TapeStep& step) { return step.arity == 0; }
 
-// For each step, how many steps compute it from leaves, if these are few sums and products; else 0.
+// For each step, how many steps compute it from leaves, if these are few and quick; else 0.
 std::vector<int> steps_from_leaves(const Tape& tape) {
     constexpr int few = 6;
     std::vector<int> counts;
     for (const TapeStep& step : tape.steps) {
         const bool is_cheap = step.op == Op::negate || step.op == Op::add ||
-                              step.op == Op::subtract || step.op == Op::multiply;
+                              step.op == Op::subtract || step.op == Op::multiply ||
+                              step.op == Op::abs || step.op == Op::sign;
         int count = is_cheap ? 1 : 0;
         for (std::size_t o = 0; count > 0 && o < step.arity; ++o) {
             const auto of = std::size_t(step.operands[o]);

@@ -167,6 +167,8 @@ std::vector<float> ElementParameters::values(const Bindings<float>& bindings) co
 
 std::optional<Program> unrolled(const Program& program, const ElementParameters& elements,
                                 std::size_t longest) {
+    const auto is_loop = [](const Instruction& now) { return now.kind == Kind::loop_begin; };
+    if (std::ranges::none_of(program.instructions, is_loop)) return program;
     return Unroller(program, elements, longest).run();
 }
 

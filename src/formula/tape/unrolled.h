@@ -38,7 +38,8 @@ private:
 };
 
 // The program without loops, with the same values for all numbers of elements in the ranges. None
-// if it would be longer than so many instructions.
+// if writing out its loops makes it longer than so many instructions; one without loops stays as it
+// is.
 std::optional<Program> unrolled(const Program& program, const ElementParameters& elements,
                                 std::size_t longest);
 

@@ -75,6 +75,9 @@ TEST(Unrolled, IsNoLongerThanAsked) {
     };
     EXPECT_TRUE(with(100));
     EXPECT_FALSE(with(1000));
+    // Without elements nothing is written out, however long it is.
+    const Field flat = make_field("sin(x)*cos(y) + exp(z) - 1", test_vocabulary());
+    EXPECT_TRUE(unrolled(flat.directional, ElementParameters(0, flat.packing, {{}, {}}), 1));
 }
 
 } // namespace
