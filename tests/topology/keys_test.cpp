@@ -24,7 +24,8 @@ scene::Scene two_balls(const Fall& fall, double level, bool through_time) {
     const std::string v = fmt::format("(v{} - {:.17g})", through_time ? " + w - w" : "", level);
     return scene_of(fmt::format(
         "[time]\nfps = 30\nframes = 61\n[parameters]\n"
-        "v = {{ keys = [[0.1, {:.17g}], [{:.17g}, {:.17g}], [2, {:.17g}]], ease = \"{}\" }}\n{}\n"
+        "v = {{ keys = [[0.1, {:.17g}], [{:.17g}, {:.17g}], [2, {:.17g}]], ease = \"{}\" "
+        "}}\n{}\n"
         "[surface]\n"
         "formula = \"min((x + 2)^2 + y^2 + z^2 - {}/{:.17g}, (x - 2)^2 + y^2 + z^2 + {})\"\n"
         "bounds = {{ box = [[-4, -4, -4], [4, 4, 4]] }}\n",
@@ -67,6 +68,35 @@ TEST(Keys, AreNotSteppedOver) {
         if (!timeline.is_complete()) continue;
         ++complete;
         EXPECT_EQ(timeline.events.size(), 2u);
+    }
+    EXPECT_GT(complete, 0);
+}
+
+// A radius that jumps for a tenth of a second: between its keys there are few doubles, or there are
+// few of the coordinates, so that boxes can't be halved any more. Two bodies merge and part.
+TEST(Keys, CloseTogetherLoseNoEvent) {
+    const auto timeline = [](const std::string& formula, double gap, double centre) {
+        const std::string text = fmt::format(
+            "[time]\nfps = 30\nframes = 16\n[parameters]\ns = \"0.001*t\"\n"
+            "r = {{ keys = [[0, 1], [0.3, 1], [{:.17g}, 1.5], [0.4, 1.5], [{:.17g}, 1], [3, 1]], "
+            "ease = \"linear\" }}\n[surface]\nformula = \"u = x - {:.17g}; {}\"\n"
+            "bounds = {{ box = [[{:.17g}, -3.2, -3.3], [{:.17g}, 3.1, 3.4]] }}\n",
+            0.3 + gap, 0.4 + gap, centre, formula, centre - 3.1, centre + 3.2);
+        return timeline_of(scene_of(text));
+    };
+    const std::string kinked = "(abs(z) - 1.2)^2 + u^2 + y^2 + 0.1*y*u - r^2 + s",
+                      smooth = "z^2*(z^2 - 2.4) + 1.44 + u^2 + y^2 + 0.1*y*u - r^2 + s";
+    int complete = 0;
+    for (const std::string& formula : {kinked, smooth}) {
+        for (const double centre : {0.0, 1e11}) {
+            for (const double gap : {1e-3, 1e-9, 1e-12, 2e-14, 5e-15, 1e-15}) {
+                SCOPED_TRACE(fmt::format("{}, gap {}, centre {}", formula, gap, centre));
+                const Timeline found = timeline(formula, gap, centre);
+                if (!found.is_complete()) continue;
+                ++complete;
+                EXPECT_EQ(found.events.size(), 2u);
+            }
+        }
     }
     EXPECT_GT(complete, 0);
 }

@@ -134,5 +134,26 @@ TEST(MovingScene, ACameraBetweenFramesIsNoMatter) {
     EXPECT_EQ(timeline.recount, (Recount{1, 1}));
 }
 
+// What random() makes of bounds depends on the scene's seed, in the search as in frames.
+TEST(MovingScene, HasTheBoundsOfItsSeed) {
+    const auto timeline = [](const std::string& bounds) {
+        AnalyseOptions how;
+        how.solids[0] = Side::negative;
+        return analyse(scene_of("[time]\nfps = 30\nframes = 61\nseed = 7\n[parameters]\n"
+                                "p = \"0.05*exp(-20*(t - 0.6)^2) - 0.02\"\n[surface]\n"
+                                "formula = \"(x - 1.7)^2 + y^2 + z^2 + 0.1*x*y*z - p\"\nbounds = " +
+                                bounds + "\n"),
+                       how);
+    };
+    for (const std::string bounds :
+         {"{ sphere = \"1 + 1.4*random(27, 1)\" }",
+          "{ box = [[-1, -1.3, -1.4], [\"1 + 1.4*random(27, 1)\", 1.5, 1.6]] }"}) {
+        SCOPED_TRACE(bounds);
+        const Timeline found = timeline(bounds);
+        EXPECT_TRUE(found.is_complete());
+        EXPECT_EQ(found.events.size(), 2u);
+    }
+}
+
 } // namespace
 } // namespace isomotion::topology

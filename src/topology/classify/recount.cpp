@@ -23,6 +23,21 @@ constexpr std::array sides{48, 96, 144};
 // long as hundreds of grids, and mostly fails close to events.
 constexpr std::size_t most_spans = 100, most_proofs = 4;
 
+// Where spans are few, each is counted at several times: events that are missed may undo each other
+// before the middle or behind it.
+constexpr std::size_t most_times = 15, times_of_all = most_spans;
+
+// So many times in a span, evenly, never at its ends.
+std::vector<double> times_in(formula::Interval span, std::size_t count) {
+    std::vector<double> times;
+    for (std::size_t k = 0; k < count; ++k) {
+        const double part = (double(k) + 0.5) / double(count);
+        const double time = span.lo + part * (span.hi - span.lo);
+        if (span.lo < time && time < span.hi) times.push_back(time);
+    }
+    return times;
+}
+
 enum class Answer {
     unknown, // grids tell this or that
     agrees,
@@ -57,23 +72,38 @@ Recount recount(const Timeline& timeline, const Recounting& how) {
     const auto all_spans = int(spans.size());
     std::ranges::stable_sort(spans, std::greater{}, [](const Span& s) { return width(s.time); });
     if (spans.size() > most_spans) spans.resize(most_spans);
-    std::vector<Answer> answers(spans.size(), Answer::unknown);
-    base::share({spans.size(), how.threads, how.stopped, how.progress}, [&] {
-        return [&](std::size_t k) {
-            answers[k] = answer_of_grids(spans[k].solid, mid(spans[k].time), how);
+    struct Moment {
+        std::size_t span;
+        double time;
+        Answer answer = Answer::unknown;
+    };
+    std::vector<Moment> moments;
+    const std::size_t count =
+        spans.empty() ? 0 : std::clamp<std::size_t>(times_of_all / spans.size(), 1, most_times);
+    for (std::size_t k = 0; k < spans.size(); ++k) {
+        // An odd number has the middle among them.
+        for (const double time : times_in(spans[k].time, count | 1)) moments.push_back({k, time});
+    }
+    base::share({moments.size(), how.threads, how.stopped, how.progress}, [&] {
+        return [&](std::size_t m) {
+            Moment& moment = moments[m];
+            moment.answer = answer_of_grids(spans[moment.span].solid, moment.time, how);
         };
     });
-    std::vector<std::size_t> doubted;
-    for (std::size_t k = 0; k < spans.size() && doubted.size() < most_proofs; ++k) {
-        if (answers[k] == Answer::differs) doubted.push_back(k);
+    // One doubted moment of each span, so that a few spans do not take all proofs.
+    std::vector<const Moment*> doubted;
+    std::vector<bool> agrees(spans.size(), false);
+    for (const Moment& moment : moments) {
+        if (moment.answer == Answer::agrees) agrees[moment.span] = true;
+        const bool is_first = doubted.empty() || doubted.back()->span != moment.span;
+        if (moment.answer == Answer::differs && is_first && doubted.size() < most_proofs)
+            doubted.push_back(&moment);
     }
     std::vector<std::optional<Betti>> proofs(doubted.size());
-    base::share({doubted.size(), how.threads, how.stopped, {}}, [&] {
-        return [&](std::size_t d) { proofs[d] = how.frame(mid(spans[doubted[d]].time)); };
-    });
-    Recount all{all_spans, int(std::ranges::count(answers, Answer::agrees))};
+    base::share({doubted.size(), how.threads, how.stopped, {}},
+                [&] { return [&](std::size_t d) { proofs[d] = how.frame(doubted[d]->time); }; });
     for (std::size_t d = 0; d < doubted.size(); ++d) {
-        const Span& span = spans[doubted[d]];
+        const Span& span = spans[doubted[d]->span];
         const auto& proof = proofs[d];
         if (!proof) continue;
         if (*proof != span.solid) {
@@ -81,11 +111,11 @@ Recount recount(const Timeline& timeline, const Recounting& how) {
                         fmt::format("isomotion contradicts itself: the events leave {} from {} s "
                                     "to {} s, and a proof of the frame at {} s has {}",
                                     in_words(span.solid), span.time.lo, span.time.hi,
-                                    mid(span.time), in_words(*proof)));
+                                    doubted[d]->time, in_words(*proof)));
         }
-        ++all.agree;
+        agrees[doubted[d]->span] = true;
     }
-    return all;
+    return {all_spans, int(std::ranges::count(agrees, true))};
 }
 
 } // namespace isomotion::topology

@@ -44,6 +44,7 @@ Interval rise_between(const SublevelSet& region, const SpacePoint& a, const Spac
 // neighbours to the halves of the segment.
 bool is_path(const SublevelSet& region, std::span<const SpacePoint> corners, std::size_t* failed) {
     constexpr std::size_t most_pieces = 6000;
+    if (corners.size() < 2) return false;
     const double shortest = 1e-11 * longest_side(region.box());
     struct Corner {
         SpacePoint at;

@@ -185,6 +185,8 @@ MovingField::MovingField(const Motion& motion, const Stratum& stratum, const Com
     // Coordinates that move have tighter domains over short times.
     const int times = frame.rests() ? 1 : 64;
     formula::Evaluator<Interval> evaluator(corners);
+    formula::Bindings<Interval> bindings; // bounds are expressions of the clock
+    bindings.seed = motion.bindings.seed;
     std::vector<Interval> ends(2 * d);
     double from = motion.clock.lo;
     for (int time = 1; time <= times; ++time) {
@@ -194,7 +196,7 @@ MovingField::MovingField(const Motion& motion, const Stratum& stratum, const Com
         Box at{};
         at[n - 1] = {from, to};
         from = to;
-        evaluator.point({}, at, ends);
+        evaluator.point(bindings, at, ends);
         for (std::size_t k = 0; k < d; ++k) {
             Interval side{ends[2 * k].lo, ends[2 * k + 1].hi};
             if (!frame.rests()) side = frame.p(k, side, at[n - 1]);

@@ -110,7 +110,8 @@ public:
             if (found_.unresolved.size() % too_many_kinked == 0) smallest_ *= 4;
             return Judged::settled;
         };
-        formula::prune(box, worker_.whole().domain(), sides(), judge);
+        if (!formula::prune(box, worker_.whole().domain(), sides(), judge))
+            found_.unresolved.push_back(box); // the search was stopped
         return std::move(found_);
     }
 

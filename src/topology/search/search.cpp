@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "base/workers.h"
+#include "formula/interval/prune.h"
 #include "topology/search/critical_system.h"
 
 namespace isomotion::topology {
@@ -453,6 +454,7 @@ private:
             const double width = part(box, k);
             // Slivers help nobody.
             if (!(width > smallest_) || width < widest / 64) continue;
+            if (!formula::is_divisible(box[k])) continue;
             const double by = smear[k] + 1e-3 * width / widest;
             if (by <= most) continue;
             most = by;
@@ -493,14 +495,20 @@ private:
 std::vector<Box> tasks(const MovingField& field) {
     const auto n = std::size_t(field.variables());
     std::vector<Box> boxes{field.domain()};
-    for (std::size_t side = 0; boxes.size() < tasks_at_least; side = (side + 1) % n) {
+    std::size_t whole = 0; // sides, one after the other, that no box was halved along
+    for (std::size_t side = 0; boxes.size() < tasks_at_least && whole < n; side = (side + 1) % n) {
         std::vector<Box> halves;
         for (const Box& box : boxes) {
+            if (!formula::is_divisible(box[side])) {
+                halves.push_back(box);
+                continue;
+            }
             Box low = box, high = box;
             low[side].hi = high[side].lo = mid(box[side]);
             halves.push_back(low);
             halves.push_back(high);
         }
+        whole = halves.size() > boxes.size() ? 0 : whole + 1;
         boxes = std::move(halves);
     }
     return boxes;

@@ -60,6 +60,19 @@ TEST(Recount, RefusesWhatAProofExcludes) {
     }
 }
 
+// Two events that undo each other were missed, far from the middle of the time between others.
+TEST(Recount, LooksBesideTheMiddle) {
+    Timeline still;
+    still.range = {0, 4};
+    still.is_proved = still.start_is_proved = still.end_is_proved = true;
+    still.start = still.end = Betti{1, 1, 0};
+    const auto filled = [](double time) {
+        return std::optional(time > 0.8 && time < 1.2 ? Betti{1, 0, 0} : Betti{1, 1, 0});
+    };
+    const Recounting how{.signs = [&](double time, int) { return filled(time); }, .frame = filled};
+    EXPECT_THROW(recount(still, how), Error);
+}
+
 // All grids may be too coarse in the same way.
 TEST(Recount, BelievesProofsMoreThanGrids) {
     const Recounting how{.signs = [](double, int) { return Betti{7, 0, 0}; }, .frame = truth};

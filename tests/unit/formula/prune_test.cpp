@@ -39,21 +39,21 @@ TEST(Prune, EndsWhereAPartIsRefused) {
 
 TEST(Prune, HalvesTheGivenSidesAlone) {
     const Square domain{Interval(0, 1), Interval(0, 1)};
-    prune(domain, domain, {1, 2}, [&](const Square& box) {
+    EXPECT_TRUE(prune(domain, domain, {1, 2}, [&](const Square& box) {
         EXPECT_EQ(box[0], domain[0]);
         return box[1].hi - box[1].lo > 0.1 ? Judged::open : Judged::settled;
-    });
+    }));
 }
 
 // The sides of the domain tell which side is long, wherever the search begins.
 TEST(Prune, ComparesSidesWithTheDomains) {
     const Square domain{Interval(0, 1), Interval(0, 100)}, box{Interval(0, 1), Interval(0, 50)};
     Square first{};
-    prune(box, domain, {0, 2}, [&](const Square& part) {
+    EXPECT_FALSE(prune(box, domain, {0, 2}, [&](const Square& part) {
         if (part == box) return Judged::open;
         first = part;
         return Judged::refused;
-    });
+    }));
     EXPECT_EQ(first, (Square{Interval(0, 0.5), Interval(0, 50)}));
 }
 
@@ -66,6 +66,21 @@ TEST(Prune, EndsWithoutABoxToHalve) {
     }));
     EXPECT_EQ(judged, 53);
     EXPECT_FALSE(prune(std::array{Interval(3, 3)}, [](const auto&) { return Judged::open; }));
+}
+
+// A side of two doubles is not halved, however long it is as a part of the domain's; others are.
+TEST(Prune, HalvesOtherSidesWhereTheLongestHasNoMiddle) {
+    const double next = std::nextafter(1.0, 2.0);
+    const Square domain{Interval(1, next), Interval(0, 1)};
+    EXPECT_EQ(longest_side(domain, domain).side, 1u);
+    int parts = 0;
+    EXPECT_TRUE(prune(domain, [&](const Square& box) {
+        if (longest_side(box, domain).part > 0.25) return Judged::open;
+        ++parts;
+        return Judged::settled;
+    }));
+    EXPECT_EQ(parts, 4);
+    EXPECT_EQ(longest_side(Square{Interval(1, next), Interval(3, 3)}, domain).part, 0);
 }
 
 } // namespace
