@@ -1,4 +1,4 @@
-// im_asin, im_acos, im_atan. Needs no other file.
+// im_asin, im_acos, im_atan, im_atan2, im_angle. Needs bits.glsl.
 //
 // Arguments of asin and acos beyond +-1 come from rounding and count as +-1. The constants of pi
 // are added in two floats, the small one first.
@@ -51,13 +51,13 @@ float im_acos(float x) {
     return y;
 }
 
-float im_atan(float x) {
-    float a = abs(x);
+// The angle of the point (b, a), both not negative.
+float im_angle_of_quadrant(float a, float b) {
     // Turns by 0, pi/4 or pi/2 into [-tan(pi/8), tan(pi/8)], with one division for all.
-    bool steep = a > 2.41421356;
-    bool middle = a > 0.414213562;
-    float above = IM_SELECT(steep, -1.0, IM_SELECT(middle, a - 1.0, a));
-    float below = IM_SELECT(steep, a, IM_SELECT(middle, a + 1.0, 1.0));
+    bool steep = a > 2.41421356 * b;
+    bool middle = a > 0.414213562 * b;
+    float above = IM_SELECT(steep, -b, IM_SELECT(middle, a - b, a));
+    float below = IM_SELECT(steep, a, IM_SELECT(middle, a + b, b));
     float turn = IM_SELECT(steep, 1.57079637, IM_SELECT(middle, 0.785398185, 0.0));
     float turn_rest = IM_SELECT(steep, -4.37113883e-8, IM_SELECT(middle, -2.18556941e-8, 0.0));
     precise float t = above / below;
@@ -67,6 +67,33 @@ float im_atan(float x) {
     p = p * z + 1.99777106478e-1;
     p = p * z - 3.33329491539e-1;
     precise float y = turn + (t + (t * z * p + turn_rest));
+    return y;
+}
+
+float im_atan(float x) {
+    precise float y = im_angle_of_quadrant(abs(x), 1.0);
     y = IM_SELECT(x < 0.0, -y, y);
     return y;
+}
+
+// The angle of the point (b, a), 0 at the axis, pi where a = 0 and b < 0.
+float im_atan2(float a, float b) {
+    const float most = IM_LARGEST / 4.0; // of what can be added and multiplied
+    float size = max(abs(a), abs(b));
+    float scale = IM_SELECT(size > most, 0.25, IM_SELECT(size < 1.0e-30, 1073741824.0, 1.0));
+    precise float rise = abs(a) * scale;
+    precise float run = abs(b) * scale;
+    rise = IM_SELECT(rise > most, most, rise);
+    run = IM_SELECT(run > most, most, run);
+    run = IM_SELECT(rise == 0.0 && run == 0.0, 1.0, run);
+    precise float y = im_angle_of_quadrant(rise, run);
+    precise float back = 3.14159274 - (y + 8.74227766e-8);
+    y = IM_SELECT(b < 0.0, back, y);
+    y = IM_SELECT(a < 0.0, -y, y);
+    return y;
+}
+
+// The same, as the enclosures of interval/inverse_trig.glsl are the same up to whole turns.
+float im_angle(float a, float b) {
+    return im_atan2(a, b);
 }

@@ -44,7 +44,7 @@ void arc(Ball& to, const Ball& a, void (*function)(arb_t, const arb_t, slong), s
     arb_union(to.get(), ends[0].get(), ends[1].get(), precision);
 }
 
-// Functions of one argument, named as in their table (formula/graph/function_table.h).
+// The operations, named as in their table (formula/graph/function_table.h).
 namespace functions {
 
 void abs(Ball& to, const Ball& a, slong precision) {
@@ -79,7 +79,34 @@ constexpr auto exp = by_arb<arb_exp>, log = by_arb<arb_log>, sin = by_arb<arb_si
                cosh = by_arb<arb_cosh>, tanh = by_arb<arb_tanh>, atan = by_arb<arb_atan>,
                floor = by_arb<arb_floor>;
 
-} // namespace functions
+template<void (*function)(arb_t, const arb_t, const arb_t, slong)>
+void of_two_by_arb(Ball& to, const Ball& a, const Ball& b, slong precision) {
+    function(to.get(), a.get(), b.get(), precision);
+}
+constexpr auto add = of_two_by_arb<arb_add>, subtract = of_two_by_arb<arb_sub>,
+               divide = of_two_by_arb<arb_div>, min = of_two_by_arb<arb_min>,
+               max = of_two_by_arb<arb_max>, atan2 = of_two_by_arb<arb_atan2>;
+
+void multiply(Ball& to, const Ball& a, const Ball& b, slong precision) {
+    if (&a == &b) {
+        arb_sqr(to.get(), a.get(), precision);
+    } else {
+        arb_mul(to.get(), a.get(), b.get(), precision);
+    }
+}
+
+// Across the cut, from below pi to above it.
+void angle(Ball& to, const Ball& a, const Ball& b, slong precision) {
+    if (!arb_is_negative(b.get()) || !arb_contains_zero(a.get())) {
+        arb_atan2(to.get(), a.get(), b.get(), precision);
+        return;
+    }
+    Ball half_turn, ratio;
+    arb_const_pi(half_turn.get(), precision);
+    arb_div(ratio.get(), a.get(), b.get(), precision);
+    arb_atan(ratio.get(), ratio.get(), precision);
+    arb_add(to.get(), half_turn.get(), ratio.get(), precision);
+}
 
 void power(Ball& to, const Ball& a, const Ball& b, slong precision) {
     const bool integer = arb_is_int(b.get());
@@ -105,6 +132,8 @@ void power(Ball& to, const Ball& a, const Ball& b, slong precision) {
         arb_indeterminate(to.get());
     }
 }
+
+} // namespace functions
 
 void select(Ball& to, const Ball& a, const Ball& b, const Ball& then, const Ball& otherwise,
             slong precision) {
@@ -257,8 +286,6 @@ void BallProgram::operation(const Instruction& now, const formula::Bindings<doub
         return registers_[std::size_t(now.operands[std::size_t(k)])];
     };
     const arb_ptr to = ball.get();
-    const arb_srcptr a = now.arity > 0 ? operand(0).get() : to;
-    const arb_srcptr b = now.arity > 1 ? operand(1).get() : to;
     switch (now.op) {
     case Op::constant:
         arb_set_d(to, now.value);
@@ -277,7 +304,7 @@ void BallProgram::operation(const Instruction& now, const formula::Bindings<doub
         break;
     }
     case Op::negate:
-        arb_neg(to, a);
+        arb_neg(to, operand(0).get());
         break;
 #define ROW(name, ...)                                                                             \
     case Op::name:                                                                                 \
@@ -285,31 +312,12 @@ void BallProgram::operation(const Instruction& now, const formula::Bindings<doub
         break;
         ISOMOTION_FUNCTIONS(ROW)
 #undef ROW
-    case Op::add:
-        arb_add(to, a, b, precision);
+#define ROW(name, ...)                                                                             \
+    case Op::name:                                                                                 \
+        functions::name(ball, operand(0), operand(1), precision);                                  \
         break;
-    case Op::subtract:
-        arb_sub(to, a, b, precision);
-        break;
-    case Op::multiply:
-        if (now.operands[0] == now.operands[1]) {
-            arb_sqr(to, a, precision);
-        } else {
-            arb_mul(to, a, b, precision);
-        }
-        break;
-    case Op::divide:
-        arb_div(to, a, b, precision);
-        break;
-    case Op::min:
-        arb_min(to, a, b, precision);
-        break;
-    case Op::max:
-        arb_max(to, a, b, precision);
-        break;
-    case Op::power:
-        power(ball, operand(0), operand(1), precision);
-        break;
+        ISOMOTION_OPERATIONS_OF_TWO(ROW)
+#undef ROW
     case Op::random:
         random(ball, bindings.seed, operand(0), operand(1));
         break;

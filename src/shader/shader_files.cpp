@@ -27,7 +27,7 @@ const KernelTable& kernel_table() {
         {"math/log.glsl", {"log"}, {"math/bits.glsl"}},
         {"math/pow.glsl", {"pow"}, {"math/bits.glsl", "math/exp.glsl", "math/log.glsl"}},
         {"math/trig.glsl", {"sin", "cos", "tan"}, {"math/bits.glsl", "math/divide.glsl"}},
-        {"math/inverse_trig.glsl", {"asin", "acos", "atan"}, {}},
+        {"math/inverse_trig.glsl", {"asin", "acos", "atan", "atan2", "angle"}, {"math/bits.glsl"}},
     };
     return table;
 }
@@ -51,7 +51,9 @@ const KernelTable& interval_table() {
             {"interval/log.glsl", {"log"}, {arithmetic, "math/log.glsl"}},
             {"interval/pow.glsl", {"pow"}, {arithmetic, "math/pow.glsl"}},
             {trig, {"sin", "cos", "tan"}, {arithmetic, divide, "math/trig.glsl"}},
-            {inverse_trig, {"asin", "acos", "atan"}, {arithmetic, "math/inverse_trig.glsl"}},
+            {inverse_trig,
+             {"asin", "acos", "atan", "atan2", "angle"},
+             {arithmetic, divide, "math/inverse_trig.glsl"}},
             {"interval/chebyshev.glsl",
              {"chebyshev"},
              {arithmetic, exp, trig, divide, inverse_trig, "math/log.glsl"}},
@@ -80,7 +82,7 @@ const KernelTable& double_interval_table() {
             {by_floats + "log.glsl", {"log"}, {around}},
             {by_floats + "pow.glsl", {"pow"}, {around}},
             {by_floats + "trig.glsl", {"sin", "cos", "tan"}, {around}},
-            {by_floats + "inverse_trig.glsl", {"asin", "acos", "atan"}, {around}},
+            {by_floats + "inverse_trig.glsl", {"asin", "acos", "atan", "atan2", "angle"}, {around}},
             {by_floats + "chebyshev.glsl", {"chebyshev"}, {around}},
         };
     }();

@@ -71,6 +71,8 @@ TEST_P(Tapes, DrawWhatIsCompiled) {
              "1/(x^2 + 0.2) + y^2 + z^2 - 2",                         // quotients
              "chebyshev(6, x) + chebyshev(6, y) + chebyshev(6, z)",
              "sqrt(x^2 + y^2) - 1 + z*tanh(z)*atan(x/(2 + y))",
+             "z - 0.2*atan2(y, x)",                                // a jump
+             "sqrt(x^2 + y^2) - 1 - 0.2*cos(5*atan2(y, x) + 3*z)", // an angle without one
          })
         expect_alike(*context, scene_text(formula));
 }

@@ -69,18 +69,18 @@ TEST_P(EveryOperation, HoldsItsMembers) {
     EXPECT_GT(bounded, 100);
 }
 
-INSTANTIATE_TEST_SUITE_P(Balls, EveryOperation,
-                         testing::Values("-x", "abs(x - y)", "sign(x)", "sqrt(x)", "exp(x*y)",
-                                         "log(x)", "sin(3*x)", "cos(3*x)", "tan(x/4)", "sinh(x)",
-                                         "cosh(x)", "tanh(x)", "asin(x)", "acos(x)", "atan(x)",
-                                         "floor(x)", "x + y - z", "x*y", "x^2", "x^7", "x/y",
-                                         "min(x, y)", "max(x, y)", "smoothmin(x, y, 1)",
-                                         "smoothmin(x, y, z)", "abs(x)^2.5", "abs(x)^y",
-                                         "pow(x, 3)", "chebyshev(9, x/2)", "chebyshev(24, x/3)",
-                                         "a*x + b*y + c", "sum(blobs, weight*exp(-(x - cx)^2))",
-                                         "sum(blobs, cx*sum(links, px*abs(y - py)))",
-                                         "least(blobs, (x - cx)^2 + (y - cy)^2)",
-                                         "greatest(blobs, cx*x + cy*y, cx - x)"));
+INSTANTIATE_TEST_SUITE_P(
+    Balls, EveryOperation,
+    testing::Values("-x", "abs(x - y)", "sign(x)", "sqrt(x)", "exp(x*y)", "log(x)", "sin(3*x)",
+                    "cos(3*x)", "tan(x/4)", "sinh(x)", "cosh(x)", "tanh(x)", "asin(x)", "acos(x)",
+                    "atan(x)", "atan2(y, x)", "cos(3*atan2(y, x))", "sin(atan2(x - y, z) - z)",
+                    "floor(x)", "x + y - z", "x*y", "x^2", "x^7", "x/y", "min(x, y)", "max(x, y)",
+                    "smoothmin(x, y, 1)", "smoothmin(x, y, z)", "abs(x)^2.5", "abs(x)^y",
+                    "pow(x, 3)", "chebyshev(9, x/2)", "chebyshev(24, x/3)", "a*x + b*y + c",
+                    "sum(blobs, weight*exp(-(x - cx)^2))",
+                    "sum(blobs, cx*sum(links, px*abs(y - py)))",
+                    "least(blobs, (x - cx)^2 + (y - cy)^2)",
+                    "greatest(blobs, cx*x + cy*y, cx - x)"));
 
 // Against intervals, whose ends belong to them.
 TEST(Ball, IsInAnIntervalOrApart) {

@@ -65,5 +65,26 @@ TEST(PolynomialsByAngles, EndWhereAcosEnds) {
     EXPECT_FALSE(timeline.is_complete()) << described(timeline);
 }
 
+// A ring breaks at three places, of which one is on the cut of atan2.
+TEST(AnglesOfPoints, HaveEventsOnTheirCut) {
+    const std::string ring =
+        "(sqrt(x^2 + y^2) - 1)^2 + z^2 + s - 0.002*x - 0.003*y - 0.001*z - 0.06*";
+    const std::string bounds = "{ box = [[-1.7, -1.7, -0.9], [1.7, 1.7, 0.9]] }";
+    for (const char* angle : {"atan2(y, x)", "2*atan(y/(sqrt(x^2 + y^2) + x))"}) {
+        const Timeline found = analyse(Moving{fmt::format("{}cos(3*{})", ring, angle), bounds,
+                                              "s = \"0.1*t - 0.1\"", in_a_second}
+                                           .scene());
+        SCOPED_TRACE(described(found));
+        EXPECT_TRUE(found.is_complete());
+        EXPECT_EQ(found.start, (Betti{1, 1, 0}));
+        EXPECT_EQ(found.end, (Betti{3, 0, 0}));
+        EXPECT_EQ(found.events.size(), 3u);
+    }
+    // A jump that the surface meets is told.
+    const Timeline torn = analyse(
+        Moving{ring + "0.3*atan2(y, x)", bounds, "s = \"0.1*t - 0.1\"", in_a_second}.scene());
+    EXPECT_FALSE(torn.is_complete());
+}
+
 } // namespace
 } // namespace isomotion::topology

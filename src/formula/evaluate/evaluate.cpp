@@ -7,6 +7,7 @@
 #include <type_traits>
 
 #include "formula/evaluate/clones.h"
+#include "formula/graph/functions.h"
 #include "formula/graph/operations.h"
 #include "formula/interval/interval_operations.h"
 #include "formula/interval/rounding_upwards.h"
@@ -307,31 +308,18 @@ ISOMOTION_WIDER void Evaluator<T>::run(const Bindings<T>& bindings) {
         break;
             ISOMOTION_FUNCTIONS(ROW)
 #undef ROW
-        case Op::add:
-            each([&](int l) { return Do::add(a[l], b[l]); });
-            break;
-        case Op::subtract:
-            each([&](int l) { return Do::subtract(a[l], b[l]); });
-            break;
-        case Op::multiply:
-            if constexpr (is_enclosure<Value>) {
-                multiply(now.product, a, b, each);
-            } else {
-                each([&](int l) { return a[l] * b[l]; });
-            }
-            break;
-        case Op::divide:
-            each([&](int l) { return Do::divide(a[l], b[l]); });
-            break;
-        case Op::min:
-            each([&](int l) { return Do::min(a[l], b[l]); });
-            break;
-        case Op::max:
-            each([&](int l) { return Do::max(a[l], b[l]); });
-            break;
-        case Op::power:
-            nearest([&] { each([&](int l) { return Do::power(a[l], b[l]); }); });
-            break;
+#define ROW(name, shader, ...)                                                                     \
+    case Op::name:                                                                                 \
+        if constexpr (Op::name == Op::multiply && is_enclosure<Value>) {                           \
+            multiply(now.product, a, b, each);                                                     \
+        } else if constexpr (Shader::shader == Shader::kernel && !is_arithmetic(Op::name)) {       \
+            nearest([&] { each([&](int l) { return Do::name(a[l], b[l]); }); });                   \
+        } else {                                                                                   \
+            each([&](int l) { return Do::name(a[l], b[l]); });                                     \
+        }                                                                                          \
+        break;
+            ISOMOTION_OPERATIONS_OF_TWO(ROW)
+#undef ROW
         case Op::random:
             each([&](int l) { return random(bindings.seed, a[l], b[l]); });
             break;

@@ -102,23 +102,18 @@ private:
         switch (now.op) {
         case Op::constant:
             return now.value >= 0;
-        case Op::add:
-        case Op::min:
-            return operand(0) && operand(1);
-        case Op::max:
-            return operand(0) || operand(1);
         case Op::multiply:
-            return now.operands[0] == now.operands[1] || (operand(0) && operand(1));
+            if (now.operands[0] == now.operands[1]) return true;
+            break;
         case Op::divide: // 0/0 is the entire line
             return is_positive_number_[std::size_t(now.operands[0])] != 0 && operand(1);
         case Op::select:
             return operand(2) && operand(3);
-        default: {
-            const UnaryTraits* traits = unary_traits(now.op);
-            return traits && (traits->is_never_negative() ||
-                              (traits->sign == Sign::as_argument && operand(0)));
+        default:
+            break;
         }
-        }
+        const Traits* row = traits(now.op);
+        return row && row->is_never_negative(operand);
     }
 
     std::vector<char> is_uniform_, is_not_negative_, is_positive_number_;

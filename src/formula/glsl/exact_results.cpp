@@ -5,10 +5,6 @@
 namespace isomotion::formula {
 namespace {
 
-bool is_arithmetic(Op op) {
-    return op == Op::add || op == Op::subtract || op == Op::multiply || op == Op::divide;
-}
-
 bool is_choice(Op op) { return op == Op::min || op == Op::max || op == Op::select; }
 
 // Registers that what jumps comes from, by arithmetic and operations without rounding.

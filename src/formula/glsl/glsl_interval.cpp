@@ -283,10 +283,6 @@ private:
             // 0/0 would be the entire line.
             return define(now.result, kept_exact(now, call("im_divide", a, b)),
                           known(a).positive_constant && b_positive);
-        case Op::min:
-            return define(now.result, call("min", a, b), a_positive && b_positive);
-        case Op::max:
-            return define(now.result, call("max", a, b), a_positive || b_positive);
         case Op::power: {
             const std::string exponent = known(b).point ? known(b).text : interval(b);
             return define(now.result, fmt::format("im_pow({}, {})", interval(a), exponent),
@@ -323,11 +319,13 @@ private:
                                       now.index, interval(a)),
                           false);
         default: {
-            const UnaryTraits& traits = *unary_traits(now.op);
+            const Traits& row = *traits(now.op);
             const bool positive =
-                traits.is_never_negative() || (traits.sign == Sign::as_argument && a_positive);
-            const std::string_view prefix = traits.shader == Shader::built_in ? "" : "im_";
-            return define(now.result, call(fmt::format("{}{}", prefix, name(now.op)), a), positive);
+                row.is_never_negative([&](int k) { return k == 0 ? a_positive : b_positive; });
+            const std::string function =
+                fmt::format("{}{}", row.shader == Shader::built_in ? "" : "im_", name(now.op));
+            return define(now.result, now.arity == 1 ? call(function, a) : call(function, a, b),
+                          positive);
         }
         }
     }

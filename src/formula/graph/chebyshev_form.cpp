@@ -38,10 +38,10 @@ Range range(const Graph& g, NodeId id, int depth = 8) {
         return {std::max(a.low, b.low), std::max(a.high, b.high)};
     }
     default: {
-        const UnaryTraits* traits = unary_traits(node.op);
-        if (!traits) return {};
-        const bool is_unit = traits->extent == Extent::unit;
-        return {traits->is_never_negative() ? 0 : is_unit ? -1 : -infinity, is_unit ? 1 : infinity};
+        const Traits* row = traits(node.op);
+        if (!row) return {};
+        const bool is_unit = row->extent == Extent::unit;
+        return {row->is_never_negative() ? 0 : is_unit ? -1 : -infinity, is_unit ? 1 : infinity};
     }
     }
 }

@@ -73,8 +73,18 @@ NodeId is_nowhere(Graph& g, NodeId id, const std::vector<NodeId>& is_0) {
 } // namespace
 
 bool may_be_unbounded(Op op) {
-    const UnaryTraits* traits = unary_traits(op);
-    return op == Op::divide || op == Op::power || (traits && traits->extent == Extent::unbounded);
+    const Traits* row = traits(op);
+    return row && row->extent == Extent::unbounded;
+}
+
+NodeId unless_at_axis(Graph& g, NodeId a, NodeId b) {
+    const NodeId zero = g.constant(0);
+    return g.select(zero, g.unary(Op::abs, a), zero, unless_above(g, g.unary(Op::abs, b), zero));
+}
+
+NodeId unless_at_cut(Graph& g, NodeId a, NodeId b) {
+    const NodeId zero = g.constant(0);
+    return g.select(zero, g.unary(Op::abs, a), zero, unless_above(g, b, zero));
 }
 
 NodeId unless_0_to_the_0(Graph& g, NodeId base, NodeId exponent) {
@@ -88,6 +98,9 @@ NodeId unless_continuous(Graph& g, NodeId id) {
     if (node.op == Op::power)
         return g.add(unless_bounded(g, id),
                      unless_0_to_the_0(g, node.children[0], node.children[1]));
+    const auto [a, b, c, d] = node.children;
+    if (breaks(node.op) == Breaks::cut) return unless_at_cut(g, a, b);
+    if (breaks(node.op) == Breaks::axis) return unless_at_axis(g, a, b);
     if (has_steps(node.op)) return unless_one_value(g, id);
     if (node.op == Op::select && node.children[2] != node.children[3])
         return unless_without_kink(g, id);
@@ -140,11 +153,6 @@ NodeId without_value(Graph& g, NodeId root) {
         case Op::divide:
             none[id] = g.add(is_nowhere(g, id, is_0), g.add(none[a], none[b]));
             break;
-        case Op::add:
-        case Op::subtract:
-        case Op::multiply:
-            none[id] = g.add(none[a], none[b]);
-            break;
         case Op::sum:
             none[id] = none[a] == zero ? zero : g.sum(node.index, none[a]);
             break;
@@ -154,8 +162,9 @@ NodeId without_value(Graph& g, NodeId root) {
             break;
         }
         default: { // others may have values where their arguments have none
-            const UnaryTraits* traits = unary_traits(node.op);
-            if (node.op == Op::negate || (traits && traits->gaps == Gaps::kept)) none[id] = none[a];
+            const Traits* row = traits(node.op);
+            const bool keeps = node.op == Op::negate || (row && row->gaps == Gaps::kept);
+            if (keeps) none[id] = node.arity == 2 ? g.add(none[a], none[b]) : none[a];
         }
         }
     }

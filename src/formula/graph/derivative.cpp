@@ -73,33 +73,16 @@ private:
         return g_.multiply(where_bounded(id, slope(id, node, a)), d(0));
     }
 
-    // An operation on a and b, whose slopes are da and db.
-    NodeId of_two(NodeId id, const Node& node, NodeId da, NodeId db) {
-        const NodeId a = node.children[0], b = node.children[1];
+    // An operation on two arguments, whose slopes these are.
+    NodeId of_two(NodeId id, const Node& node, NodeId slope_of_a, NodeId slope_of_b) {
+        const Term a{&g_, node.children[0]}, b{&g_, node.children[1]}, f{&g_, id};
+        const Term da{&g_, slope_of_a}, db{&g_, slope_of_b};
         switch (node.op) {
-        case Op::add:
-            return g_.add(da, db);
-        case Op::subtract:
-            return g_.subtract(da, db);
-        case Op::multiply:
-            return g_.add(g_.multiply(da, b), g_.multiply(a, db));
-        case Op::divide:
-            if (slopes_ == Slopes::pointwise_again && g_.is_constant(da, 0)) {
-                return g_.unary(Op::negate, g_.multiply(g_.divide(id, b), db));
-            }
-            // Between two points 1/b changes by the product of both reciprocals and the change of
-            // b: one division for slopes of any order.
-            if (slopes_ == Slopes::generalized && g_.is_constant(a, 1))
-                return where_bounded(id,
-                                     g_.unary(Op::negate, g_.multiply(g_.multiply(id, id), db)));
-            // (a' - (a/b) b') / b shares the quotient with the value
-            return where_bounded(id, g_.divide(g_.subtract(da, g_.multiply(id, db)), b));
-        case Op::min:
-            return g_.select(a, b, da, db, Op::min);
-        case Op::max:
-            return g_.select(a, b, db, da, Op::max);
-        case Op::power:
-            return where_bounded(id, power(id, a, b, da, db));
+#define ROW(name, shader, sign_, extent, breaks, gaps, slope_)                                     \
+    case Op::name:                                                                                 \
+        return (slope_).node;
+            ISOMOTION_OPERATIONS_OF_TWO(ROW)
+#undef ROW
         default:
             return zero();
         }
@@ -136,6 +119,21 @@ private:
 
     Term jumps(Term f) { return {&g_, jumps(f.node)}; }
 
+    Term where_less(Op chosen, Term a, Term b, Term then, Term otherwise) {
+        return {&g_, g_.select(a.node, b.node, then.node, otherwise.node, chosen)};
+    }
+
+    Term quotient_slope(Term a, Term b, Term f, Term da, Term db) {
+        if (slopes_ == Slopes::pointwise_again && g_.is_constant(da.node, 0))
+            return -((f / b) * db);
+        // Between two points 1/b changes by the product of both reciprocals and the change of b:
+        // one division for slopes of any order.
+        if (slopes_ == Slopes::generalized && g_.is_constant(a.node, 1))
+            return {&g_, where_bounded(f.node, (-((f * f) * db)).node)};
+        // (a' - (a/b) b') / b shares the quotient with the value
+        return {&g_, where_bounded(f.node, ((da - f * db) / b).node)};
+    }
+
     NodeId jumps(NodeId id) {
         return slopes_ == Slopes::generalized ? unless_continuous(g_, id) : zero();
     }
@@ -157,8 +155,8 @@ private:
         return {&g_, g_.select(a.node, zero(), zero(), slope.node)};
     }
     Term within_unit(Term a, Term slope) {
-        const UnaryTraits* traits = unary_traits(g_[a.node].op);
-        const bool never_leaves_it = traits && traits->extent == Extent::unit;
+        const Traits* row = traits(g_[a.node].op);
+        const bool never_leaves_it = row && row->extent == Extent::unit;
         if (slopes_ != Slopes::generalized && never_leaves_it) return slope;
         return {&g_, g_.select(g_.constant(1), g_.unary(Op::abs, a.node), zero(), slope.node)};
     }
@@ -171,15 +169,20 @@ private:
     }
 
     // b a^(b-1) a' + a^b log(a) b', the second half only where the exponent moves.
-    NodeId power(NodeId id, NodeId a, NodeId b, NodeId da, NodeId db) {
-        const NodeId lower = g_.binary(Op::power, a, g_.subtract(b, g_.constant(1)));
-        const NodeId by_base = g_.multiply(g_.multiply(b, lower), da);
-        if (g_.is_constant(db, 0)) return by_base;
+    Term power_slope(Term a, Term b, Term f, Term da, Term db) {
+        return {&g_, where_bounded(f.node, unbounded_power_slope(a, b, f, da, db).node)};
+    }
+
+    Term unbounded_power_slope(Term a, Term b, Term f, Term da, Term db) {
+        const Term lower = a.with(Op::power, b - b.number(1));
+        const Term by_base = (b * lower) * da;
+        if (g_.is_constant(db.node, 0)) return by_base;
         // A negative constant has powers at integers only: no slope, and no logarithm.
-        if (g_.is_constant(a) && g_[a].value < 0)
-            return slopes_ == Slopes::generalized ? g_.constant(no_number) : zero();
-        const NodeId all = g_.add(by_base, g_.multiply(g_.multiply(id, g_.unary(Op::log, a)), db));
-        return slopes_ == Slopes::generalized ? g_.add(all, unless_0_to_the_0(g_, a, b)) : all;
+        if (g_.is_constant(a.node) && g_[a.node].value < 0)
+            return a.number(slopes_ == Slopes::generalized ? no_number : 0);
+        const Term all = by_base + (f * a.of(Op::log)) * db;
+        if (slopes_ != Slopes::generalized) return all;
+        return all + Term{&g_, unless_0_to_the_0(g_, a.node, b.node)};
     }
 
     NodeId zero() { return g_.constant(0); }

@@ -19,6 +19,10 @@ template<Op op> NodeId folded(Graph& g, Arguments arguments) {
     return result;
 }
 
+template<Op op> NodeId of_two(Graph& g, Arguments arguments) {
+    return g.binary(op, arguments[0], arguments[1]);
+}
+
 template<Term (*call)(Term, Term, Term)> NodeId of_three(Graph& g, Arguments arguments) {
     return call({&g, arguments[0]}, {&g, arguments[1]}, {&g, arguments[2]}).node;
 }
@@ -46,6 +50,7 @@ constexpr std::array table{
 #undef ROW
     Function{"min", "a, b, ...", 2, true, folded<Op::min>, nullptr},
     Function{"max", "a, b, ...", 2, true, folded<Op::max>, nullptr},
+    Function{"atan2", "y, x", 2, false, of_two<Op::atan2>, nullptr},
     Function{"smoothmin", "a, b, k", 3, false, of_three<smoothmin>, nullptr},
     // The parser reads these itself: a power fails as ^ does; a degree and an array are no values.
     Function{"pow", "a, b", 2, false, nullptr, nullptr},
@@ -54,7 +59,7 @@ constexpr std::array table{
     Function{"least", "array, expression", 2, false, nullptr, nullptr},
     Function{"greatest", "array, expression", 2, false, nullptr, nullptr},
     // This one is for animations alone.
-    Function{"random", "i, k", 2, false, folded<Op::random>, nullptr},
+    Function{"random", "i, k", 2, false, of_two<Op::random>, nullptr},
 };
 // clang-format on
 
@@ -68,33 +73,46 @@ const Function* find_function(std::string_view name) {
     return row == table.end() ? nullptr : row;
 }
 
-const UnaryTraits* unary_traits(Op op) {
+const Traits* traits(Op op) {
     switch (op) {
 #define ROW(name, shader, sign, extent, at_0, breaks, gaps, domain, slope)                         \
     case Op::name: {                                                                               \
-        static constexpr UnaryTraits traits{Shader::shader, Sign::sign,     Extent::extent,        \
-                                            At0::at_0,      Breaks::breaks, Gaps::gaps};           \
-        return &traits;                                                                            \
+        static constexpr Traits row{                                                               \
+            1, Shader::shader, Sign::sign, Extent::extent, Breaks::breaks, Gaps::gaps, At0::at_0}; \
+        return &row;                                                                               \
     }
         ISOMOTION_FUNCTIONS(ROW)
+#undef ROW
+#define ROW(name, shader, sign, extent, breaks, gaps, slope)                                       \
+    case Op::name: {                                                                               \
+        static constexpr Traits row{                                                               \
+            2, Shader::shader, Sign::sign, Extent::extent, Breaks::breaks, Gaps::gaps};            \
+        return &row;                                                                               \
+    }
+        ISOMOTION_OPERATIONS_OF_TWO(ROW)
 #undef ROW
     default:
         return nullptr;
     }
 }
 
+const Traits* unary_traits(Op op) {
+    const Traits* row = traits(op);
+    return row && row->arguments == 1 ? row : nullptr;
+}
+
 Breaks breaks(Op op) {
-    const UnaryTraits* traits = unary_traits(op);
-    return traits ? traits->breaks : Breaks::nowhere;
+    const Traits* row = traits(op);
+    return row ? row->breaks : Breaks::nowhere;
 }
 
 bool has_steps(Op op) { return op == Op::random || breaks(op) == Breaks::steps; }
+bool may_jump(Op op) { return has_steps(op) || breaks(op) == Breaks::cut; }
 
 std::string_view kernel(Op op) {
-    if (op == Op::divide) return name(op);
     if (op == Op::power) return "pow";
-    const UnaryTraits* traits = unary_traits(op);
-    return traits && traits->shader == Shader::kernel ? name(op) : std::string_view{};
+    const Traits* row = traits(op);
+    return row && row->shader == Shader::kernel ? name(op) : std::string_view{};
 }
 
 } // namespace isomotion::formula

@@ -34,19 +34,26 @@ enum class Shader : std::uint8_t {
                   // intervals
     kernel,       // a function of shaders/math/, and one of shaders/interval/
 };
-enum class Sign : std::uint8_t { any, as_argument, not_negative, positive };
+// as_argument: not negative if the argument is not, or the first one; of_both: if both are not;
+// of_either: if one is not.
+enum class Sign : std::uint8_t { any, as_argument, of_both, of_either, not_negative, positive };
 enum class Extent : std::uint8_t {
     unit,      // from -1 to 1
-    finite,    // where the argument is
+    finite,    // where the arguments are
     unbounded, // larger than any number at some arguments, or too large for a float
 };
 enum class At0 : std::uint8_t { zero, other };
 enum class Breaks : std::uint8_t {
     nowhere,
     kink_at_0,
-    kink_at_1, // at 1 and -1; constant beyond
-    turn,      // turns fast near 0 if the argument has a pole, as an angle does about an axis
-    pole_at_0, // and no value below
+    kink_at_1,       // at 1 and -1; constant beyond
+    kink_where_same, // where both arguments are the same
+    turn,            // turns fast near 0 if the argument has a pole, as an angle does about an axis
+    axis,            // turns fast near the axis a = b = 0, and has no limit there
+    cut,             // jumps at a = 0 where b < 0, too
+    pole_at_0,       // and no value below
+    pole_at_b_0,
+    base_at_0, // of a power: a kink or a pole, by its exponent
     poles,
     steps, // jumps, and is constant between jumps
 };
@@ -55,23 +62,44 @@ enum class Gaps : std::uint8_t {
     cut,  // there may be one: implementations compare the argument, or cut it off
 };
 
-// What is known of an operation that is a function of one argument.
-struct UnaryTraits {
+// What is known of an operation that has a row in the table.
+struct Traits {
+    std::size_t arguments;
     Shader shader;
     Sign sign;
     Extent extent;
-    At0 at_0;
     Breaks breaks;
     Gaps gaps;
+    At0 at_0 = At0::other; // of functions of one argument
 
     bool is_never_negative() const { return sign == Sign::not_negative || sign == Sign::positive; }
+    // argument(k): whether argument k is never negative.
+    template<class Argument> bool is_never_negative(const Argument& argument) const {
+        switch (sign) {
+        case Sign::any:
+            return false;
+        case Sign::as_argument:
+            return argument(0);
+        case Sign::of_both:
+            return argument(0) && argument(1);
+        case Sign::of_either:
+            return argument(0) || argument(1);
+        case Sign::not_negative:
+        case Sign::positive:
+            return true;
+        }
+        return false;
+    }
 };
-const UnaryTraits* unary_traits(Op op); // null for other operations
+const Traits* traits(Op op);       // null for operations without a row
+const Traits* unary_traits(Op op); // null, too, for those of two arguments
 
-// The traits' `breaks`; nowhere for operations that are no functions of one argument.
+// The traits' `breaks`; nowhere for operations without a row.
 Breaks breaks(Op op);
 // Whether the operation jumps from value to value: functions with steps, and random.
 bool has_steps(Op op);
+// Whether it jumps anywhere: atan2, too.
+bool may_jump(Op op);
 
 // The kernel im_<name> that an operation calls in shaders; empty if it needs none.
 std::string_view kernel(Op op);

@@ -8,6 +8,7 @@
 
 #include <fmt/format.h>
 
+#include "formula/graph/angles.h"
 #include "formula/graph/functions.h"
 #include "formula/graph/operations.h"
 #include "formula/graph/sign.h"
@@ -34,20 +35,11 @@ double fold(Op op, double a) {
 
 double fold(Op op, double a, double b) {
     switch (op) {
-    case Op::add:
-        return Fold::add(a, b);
-    case Op::subtract:
-        return Fold::subtract(a, b);
-    case Op::multiply:
-        return Fold::multiply(a, b);
-    case Op::divide:
-        return Fold::divide(a, b);
-    case Op::min:
-        return Fold::min(a, b);
-    case Op::max:
-        return Fold::max(a, b);
-    case Op::power:
-        return Fold::power(a, b);
+#define ROW(name, ...)                                                                             \
+    case Op::name:                                                                                 \
+        return Fold::name(a, b);
+        ISOMOTION_OPERATIONS_OF_TWO(ROW)
+#undef ROW
     default:
         assert(!"not a foldable binary operation");
         return 0;
@@ -61,8 +53,8 @@ constexpr double no_underflow = 0x1p-900;
 bool is_exact(Op op, double a, double result) {
     if (std::isnan(a)) return op == Op::negate;
     if (op == Op::sqrt) return a == 0 || (a > no_underflow && std::fma(result, result, -a) == 0);
-    const UnaryTraits* traits = unary_traits(op);
-    return op == Op::negate || (traits && traits->shader != Shader::kernel);
+    const Traits* row = unary_traits(op);
+    return op == Op::negate || (row && row->shader != Shader::kernel);
 }
 
 // What may underflow counts as inexact.
@@ -178,6 +170,10 @@ NodeId Graph::unary(Op op, NodeId a) {
         }
     }
     if (op == Op::log) a = kept_not_negative(a);
+    if (op == Op::sin || op == Op::cos || op == Op::tan) a = without_cuts(*this, op, a);
+    if (op == Op::atan) {
+        if (const auto half = half_angle(*this, a)) return *half;
+    }
     if (op == Op::abs && (child.op == Op::abs || child.op == Op::negate)) {
         return unary(Op::abs, child.children[0]);
     }
@@ -481,20 +477,11 @@ std::string_view name(Op op) {
         return #name;
         ISOMOTION_FUNCTIONS(ROW)
 #undef ROW
-    case Op::add:
-        return "add";
-    case Op::subtract:
-        return "subtract";
-    case Op::multiply:
-        return "multiply";
-    case Op::divide:
-        return "divide";
-    case Op::min:
-        return "min";
-    case Op::max:
-        return "max";
-    case Op::power:
-        return "power";
+#define ROW(name, ...)                                                                             \
+    case Op::name:                                                                                 \
+        return #name;
+        ISOMOTION_OPERATIONS_OF_TWO(ROW)
+#undef ROW
     case Op::random:
         return "random";
     case Op::chebyshev:

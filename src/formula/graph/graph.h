@@ -31,13 +31,9 @@ enum class Op : std::uint8_t {
 #define ROW(name, ...) name,
     ISOMOTION_FUNCTIONS(ROW) // of one argument: abs, sqrt, ...
 #undef ROW
-    add,
-    subtract,
-    multiply,
-    divide,
-    min,
-    max,
-    power,     // real exponent; integer powers are products
+#define ROW(name, ...) name,
+    ISOMOTION_OPERATIONS_OF_TWO(ROW) // add, min, ..., power, whose integer exponents are products
+#undef ROW
     random,    // random(i, k) in [0, 1): CPU double only
     chebyshev, // `second`-th derivative of T_index(a)
     select,    // a < b ? c : d
@@ -46,6 +42,10 @@ enum class Op : std::uint8_t {
     pick,      // b of the first element whose a is least; 0 without elements
     which,     // the number of that element, from 1; 0 without elements: for continuity.h
 };
+
+constexpr bool is_arithmetic(Op op) {
+    return op == Op::add || op == Op::subtract || op == Op::multiply || op == Op::divide;
+}
 
 // Whether the operation loops over the elements of array `index`.
 constexpr bool is_over_elements(Op op) {

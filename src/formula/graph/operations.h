@@ -7,7 +7,8 @@
 //     0 * exp(100) is 0 and not NaN;
 //   - sqrt of a negative number is 0, since rounding makes radicands negative;
 //   - 0^b is 0, 1 or saturation; a negative base has a power if the exponent is an integer;
-//   - x/0 is +-saturation; 0/0 stays NaN.
+//   - x/0 is +-saturation; 0/0 stays NaN;
+//   - the angle at the axis is 0, and -0 is 0: it does not choose a side of the cut.
 #pragma once
 
 #include <algorithm>
@@ -71,6 +72,8 @@ template<class T> struct Operations {
         if (a == 0) return b > 0 ? T(0) : saturation();
         return saturate(std::pow(a, b));
     }
+    static T atan2(T a, T b) { return std::atan2(a == 0 ? T(0) : a, b == 0 ? T(0) : b); }
+    static T angle(T a, T b) { return atan2(a, b); }
     static T select(T a, T b, T then, T otherwise) { return a < b ? then : otherwise; }
     static T least_of_none() { return saturation(); }
 

@@ -261,8 +261,11 @@ private:
 
     // Other names of functions.
     static std::string_view plain_name(std::string_view name) {
-        constexpr std::array<std::array<std::string_view, 2>, 4> others{
-            {{"ln", "log"}, {"arcsin", "asin"}, {"arccos", "acos"}, {"arctan", "atan"}}};
+        constexpr std::array<std::array<std::string_view, 2>, 5> others{{{"ln", "log"},
+                                                                         {"arcsin", "asin"},
+                                                                         {"arccos", "acos"},
+                                                                         {"arctan", "atan"},
+                                                                         {"arctan2", "atan2"}}};
         for (const auto& [other, plain] : others) {
             if (name == other) return plain;
         }
@@ -272,7 +275,7 @@ private:
     // What to write for functions of other languages, whose names stay free for parameters.
     static std::string_view what_to_write_for(std::string_view name) {
         constexpr std::array<std::array<std::string_view, 2>, 17> others{{
-            {"atan2", "2*atan(y/(sqrt(x^2 + y^2) + x)) for atan2(y, x), which jumps by a turn"},
+            {"arg", "atan2(y, x) for the angle of the point (x, y)"},
             {"cbrt", "sign(a)*abs(a)^(1/3) for cbrt(a)"},
             {"ceil", "-floor(-a) for ceil(a)"},
             {"clamp", "min(max(a, b), c) for clamp(a, b, c)"},
@@ -333,8 +336,10 @@ private:
                  fmt::format("{} takes {} or more", function.name, words.at(function.count)));
         }
         if (given == function.count) return;
-        fail(begin, fmt::format("{} takes {} argument{}, not {}", function.name, function.count,
-                                function.count == 1 ? "" : "s", given));
+        const bool is_of_point = function.name == "atan" && given == 2;
+        fail(begin, fmt::format("{} takes {} argument{}, not {}{}", function.name, function.count,
+                                function.count == 1 ? "" : "s", given,
+                                is_of_point ? ": write atan2(y, x)" : ""));
     }
 
     std::vector<NodeId> argument_list() {
@@ -481,8 +486,10 @@ private:
                                  : word == "t" ? "; time moves parameters: name one here, as T, "
                                                  "and write T = \"t\" under [parameters]"
                                  : word == "e" && near.empty() ? "; write exp(x) for e^x"
-                                 : near.empty() ? fmt::format("; known: {}", join(known))
-                                                : fmt::format("; did you mean '{}'?", near);
+                                 : word == "theta" ? "; write atan2(y, x) for an angle about the z "
+                                                     "axis"
+                                 : near.empty()    ? fmt::format("; known: {}", join(known))
+                                                   : fmt::format("; did you mean '{}'?", near);
         fail(begin, fmt::format("unknown name '{}'{}", word, hint));
     }
 

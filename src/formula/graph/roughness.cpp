@@ -55,22 +55,15 @@ NodeId kink_of(Graph& g, NodeId id) {
     const auto unless_one_sign = [&](NodeId of) {
         return unless_one_value(g, g.unary(Op::sign, of));
     };
-    switch (node.op) {
-    case Op::min:
-    case Op::max:
-    case Op::select:
+    if (node.op == Op::select) return unless_one_sign(g.subtract(a, b));
+    if (node.op == Op::least || node.op == Op::pick) return unless_one_is_least(g, node);
+    switch (breaks(node.op)) {
+    case Breaks::kink_where_same:
         return unless_one_sign(g.subtract(a, b));
-    case Op::least:
-    case Op::pick:
-        return unless_one_is_least(g, node);
-    case Op::power: { // where the base is 0, unless the exponent is large
+    case Breaks::base_at_0: { // unless the exponent is large
         const NodeId unless_large = unless_above(g, b, g.constant(smooth_power));
         return g.select(zero, a, zero, unless_large);
     }
-    default:
-        break;
-    }
-    switch (breaks(node.op)) {
     case Breaks::kink_at_0:
         return unless_one_sign(a);
     case Breaks::kink_at_1:
@@ -86,10 +79,15 @@ NodeId pole_of(Graph& g, NodeId id, double least_part) {
     const auto unless_far = [&](NodeId size) {
         return unless_above(g, size, g.multiply(g.constant(least_part), size));
     };
-    // Beside a pole a quotient turns as fast as its denominator comes to a part of itself.
-    if (node.op == Op::divide) return unless_far(g.unary(Op::abs, b));
-    if (node.op == Op::power) return g.select(zero, a, zero, unless_above(g, b, zero));
     switch (breaks(node.op)) {
+    // Beside a pole a quotient turns as fast as its denominator comes to a part of itself.
+    case Breaks::pole_at_b_0:
+        return unless_far(g.unary(Op::abs, b));
+    case Breaks::base_at_0:
+        return g.select(zero, a, zero, unless_above(g, b, zero));
+    case Breaks::axis: // as fast as one over the distance
+    case Breaks::cut:
+        return unless_far(g.add(g.multiply(a, a), g.multiply(b, b)));
     case Breaks::turn: // as fast as 1 + u^2, the inverse of its slope
         if (g[a].op != Op::divide || g.is_constant(g[a].children[1])) return zero;
         return unless_far(g.add(g.constant(1), g.multiply(a, a)));
@@ -114,7 +112,7 @@ Roughness roughness(Graph& g, NodeId root, double least_part) {
         const Op op = g[id].op;
         const bool is_smoothed = is_0_at_kink(g, g[id]) && is_smooth[id];
         if (!is_smoothed) add(found.kinks, kink_of(g, id));
-        if (has_steps(op) || op == Op::select || op == Op::pick)
+        if (may_jump(op) || op == Op::select || op == Op::pick)
             add(found.jumps, unless_continuous(g, id));
         const bool is_log_of_positive = op == Op::log && is_positive[g[id].children[0]];
         if (!is_log_of_positive) add(found.poles, pole_of(g, id, least_part));

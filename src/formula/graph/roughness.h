@@ -13,7 +13,7 @@ namespace isomotion::formula {
 struct Roughness {
     // Slopes jump or are unbounded: abs, min, max, roots and real powers at 0.
     std::vector<NodeId> kinks;
-    std::vector<NodeId> jumps; // floor, sign, the branches of a selection
+    std::vector<NodeId> jumps; // floor, sign, atan2, the branches of a selection
     std::vector<NodeId>
         poles; // quotients, angles, negative powers, log, tan; places without a value
 };

@@ -30,8 +30,8 @@ double most_magnitude(const Graph& g, NodeId id, int depth) {
     case Op::max:
         return std::max(child(0), child(1));
     default: {
-        const UnaryTraits* traits = unary_traits(node.op);
-        return traits && traits->extent == Extent::unit ? 1 : HUGE_VAL;
+        const Traits* row = traits(node.op);
+        return row && row->extent == Extent::unit ? 1 : HUGE_VAL;
     }
     }
 }
@@ -79,17 +79,13 @@ bool is_never_negative(const Graph& g, NodeId id, int depth) {
     case Op::constant:
         return node.value >= 0;
     case Op::multiply:
-        return node.children[0] == node.children[1] || (child(0) && child(1));
+        if (node.children[0] == node.children[1]) return true;
+        break;
     case Op::add:
-        return (child(0) && child(1)) || adds_its_size(g, node) ||
-               least_beside_a_wave(g, node, depth) >= 0;
+        if (adds_its_size(g, node) || least_beside_a_wave(g, node, depth) >= 0) return true;
+        break;
     case Op::subtract:
         return is_excess(g, node) || least_beside_a_wave(g, node, depth) >= 0;
-    case Op::divide:
-    case Op::min:
-        return child(0) && child(1);
-    case Op::max:
-        return child(0) || child(1);
     case Op::select:
         return child(2) && child(3);
     case Op::sum:
@@ -99,15 +95,14 @@ bool is_never_negative(const Graph& g, NodeId id, int depth) {
         return child(1);
     case Op::power: {
         const NodeId exponent = node.children[1];
-        const bool is_even = g.is_constant(exponent) && std::fmod(g[exponent].value, 2) == 0;
-        return is_even || child(0);
+        if (g.is_constant(exponent) && std::fmod(g[exponent].value, 2) == 0) return true;
+        break;
     }
-    default: {
-        const UnaryTraits* traits = unary_traits(node.op);
-        if (!traits) return false;
-        return traits->is_never_negative() || (traits->sign == Sign::as_argument && child(0));
+    default:
+        break;
     }
-    }
+    const Traits* row = traits(node.op);
+    return row && row->is_never_negative(child);
 }
 
 bool may_round_below_0(const Graph& g, NodeId id) { return least_beside_a_wave(g, g[id], 12) == 0; }
@@ -138,8 +133,8 @@ std::vector<bool> positives(const Graph& g, NodeId root) {
             found[id] = is_1_or_more(a) && is_tanh(b);
             break;
         default: {
-            const UnaryTraits* traits = unary_traits(node.op);
-            found[id] = traits && traits->sign == Sign::positive;
+            const Traits* row = traits(node.op);
+            found[id] = row && row->sign == Sign::positive;
         }
         }
     }

@@ -44,6 +44,8 @@ std::vector<NodeId> vanishing(Graph& g, NodeId root) {
                 where(is_0[a], [&] { return g.select(zero, g.unary(Op::abs, b), one, zero); });
             break;
         case Op::power:
+        case Op::atan2:
+        case Op::angle:
             is_0[id] = where(is_0[a], [&] { return g.select(zero, b, one, zero); });
             break;
         case Op::max:
@@ -67,8 +69,8 @@ std::vector<NodeId> vanishing(Graph& g, NodeId root) {
             }
             break;
         default: {
-            const UnaryTraits* traits = unary_traits(node.op);
-            if (traits && traits->at_0 == At0::zero) is_0[id] = is_0[a];
+            const Traits* row = unary_traits(node.op);
+            if (row && row->at_0 == At0::zero) is_0[id] = is_0[a];
         }
         }
     }

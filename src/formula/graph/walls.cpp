@@ -35,6 +35,8 @@ NodeId place_of(Graph& g, NodeId id) {
         return g.subtract(a, g.unary(Op::floor, g.add(a, g.constant(0.5))));
     case Op::select:
         return g.subtract(a, b);
+    case Op::atan2:
+        return g.select(b, g.constant(0), a, g.constant(1));
     case Op::divide:
         return b;
     case Op::power:

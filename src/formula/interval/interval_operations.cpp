@@ -53,6 +53,8 @@ Interval wave(double (*f)(double), double crest, Interval a) {
             has_crest ? 1.0 : smaller(between.hi, 1.0)};
 }
 
+constexpr double below_pi = 0x1.921fb54442d18p+1, above_pi = 0x1.921fb54442d19p+1;
+
 double clamp_unit(double a) { return smaller(larger(a, -1.0), 1.0); }
 
 // a^b for a >= 0, with 0^b as Operations says, but unbounded for b < 0.
@@ -114,6 +116,31 @@ Interval Do::acos(Interval a) {
 }
 
 Interval Do::atan(Interval a) { return around(std::atan(a.lo), std::atan(a.hi)); }
+
+// On a box without the axis, angles are extreme in two corners.
+Interval Do::angle(Interval a, Interval b) {
+    // An angle that underflows has the sign of a.
+    const auto between = [](double low_a, double low_b, double high_a, double high_b) {
+        const double low = Operations<double>::atan2(low_a, low_b),
+                     high = Operations<double>::atan2(high_a, high_b);
+        return Interval(low_a >= 0 ? larger(below(low), 0.0) : below(low),
+                        high_a <= 0 && high <= 0 ? smaller(above(high), 0.0) : above(high));
+    };
+    if (b.lo > 0) return between(a.lo, a.lo >= 0 ? b.hi : b.lo, a.hi, a.hi >= 0 ? b.lo : b.hi);
+    if (a.lo > 0) return between(b.hi >= 0 ? a.lo : a.hi, b.hi, b.lo >= 0 ? a.hi : a.lo, b.lo);
+    if (a.hi < 0) return between(b.lo >= 0 ? a.lo : a.hi, b.lo, b.hi >= 0 ? a.hi : a.lo, b.hi);
+    if (!(b.hi < 0)) return {-above_pi, above_pi};
+    // From the upper side of the cut to the lower one, as far from above pi as that is from pi.
+    const Interval upper = between(a.hi, b.hi, 0, b.hi), lower = between(-a.lo, b.hi, 0, b.hi);
+    return {upper.lo, (Interval(2 * below_pi, 2 * above_pi) - lower).hi};
+}
+
+Interval Do::atan2(Interval a, Interval b) {
+    const bool is_cut = a.lo < 0 && a.hi >= 0 && b.lo <= 0;
+    if (is_cut) return {-above_pi, above_pi};
+    const Interval all = angle(a, b);
+    return {larger(all.lo, a.lo >= 0 ? 0.0 : -above_pi), smaller(all.hi, above_pi)};
+}
 
 Interval Do::power(Interval a, Interval b) {
     if (b == Interval(0.0)) return 1.0;

@@ -60,6 +60,9 @@ template<> struct Operations<Interval> {
     }
     static Interval max(Interval a, Interval b) { return {larger(a.lo, b.lo), larger(a.hi, b.hi)}; }
     static Interval power(Interval a, Interval b);
+    static Interval atan2(Interval a, Interval b);
+    // Of boxes across the cut, from below pi to above it.
+    static Interval angle(Interval a, Interval b);
     static constexpr double exp_low = -708, exp_high = 709;
     static Interval select(Interval a, Interval b, Interval then, Interval otherwise) {
         return a.hi < b.lo ? then : a.lo >= b.hi ? otherwise : hull(then, otherwise);

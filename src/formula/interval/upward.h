@@ -51,7 +51,10 @@ struct FunctionsOfUpward {
     static Upward name(Upward a) { return Operations<Interval>::name(a); }
     ISOMOTION_FUNCTIONS(ROW)
 #undef ROW
-    static Upward power(Upward a, Upward b) { return Operations<Interval>::power(a, b); }
+#define ROW(name, ...)                                                                             \
+    static Upward name(Upward a, Upward b) { return Operations<Interval>::name(a, b); }
+    ISOMOTION_OPERATIONS_OF_TWO(ROW)
+#undef ROW
 };
 
 template<> struct Operations<Upward> : FunctionsOfUpward {

@@ -15,6 +15,8 @@ namespace {
 
 Interval value_of(const TapeStep& step, const std::array<Interval, 4>& of) {
     using Do = Operations<Interval>;
+    const bool is_square = step.op == Op::multiply && step.operands[0] == step.operands[1];
+    if (is_square) return Do::square(of[0]);
     switch (step.op) {
     case Op::negate:
         return Do::negate(of[0]);
@@ -23,21 +25,11 @@ Interval value_of(const TapeStep& step, const std::array<Interval, 4>& of) {
         return Do::name(of[0]);
         ISOMOTION_FUNCTIONS(CASE)
 #undef CASE
-    case Op::add:
-        return Do::add(of[0], of[1]);
-    case Op::subtract:
-        return Do::subtract(of[0], of[1]);
-    case Op::multiply:
-        return step.operands[0] == step.operands[1] ? Do::square(of[0])
-                                                    : Do::multiply(of[0], of[1]);
-    case Op::divide:
-        return Do::divide(of[0], of[1]);
-    case Op::min:
-        return Do::min(of[0], of[1]);
-    case Op::max:
-        return Do::max(of[0], of[1]);
-    case Op::power:
-        return Do::power(of[0], of[1]);
+#define CASE(name, ...)                                                                            \
+    case Op::name:                                                                                 \
+        return Do::name(of[0], of[1]);
+        ISOMOTION_OPERATIONS_OF_TWO(CASE)
+#undef CASE
     case Op::select:
         return Do::select(of[0], of[1], of[2], of[3]);
     default: // chebyshev: nothing is decided by its values

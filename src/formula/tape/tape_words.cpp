@@ -19,8 +19,9 @@ bool is_leaf(const TapeStep& step) { return step.op == Op::constant || step.op =
 
 // Whether the operation takes a processor as long as dozens of products.
 bool takes_long(Op op) {
-    if (op == Op::power || op == Op::chebyshev) return true;
-    return op != Op::sqrt && unary_traits(op) && unary_traits(op)->shader == Shader::kernel;
+    if (op == Op::chebyshev) return true;
+    const Traits* row = traits(op);
+    return op != Op::sqrt && !is_arithmetic(op) && row && row->shader == Shader::kernel;
 }
 
 // A constant as the interpreter reads it.
@@ -67,19 +68,7 @@ std::string rough_where(Op op) {
     const auto unless_far = [](const std::string& low, const std::string& high) {
         return fmt::format("!({} > {} * {})", low, least_part_of_pieces, high);
     };
-    switch (op) {
-    case Op::min:
-    case Op::max:
-        return "!(a.y < b.x || b.y < a.x)";
-    case Op::select:
-        return "!(held_a.y < held_b.x || held_b.y < held_a.x)";
-    case Op::power:
-        return fmt::format("!(a.x > 0.0 || b.x > {:.1f})", smooth_power);
-    case Op::divide:
-        return unless_far("im_abs(b).x", "im_abs(b).y");
-    default:
-        break;
-    }
+    if (op == Op::select) return "!(held_a.y < held_b.x || held_b.y < held_a.x)";
     switch (breaks(op)) {
     case Breaks::nowhere:
         return "";
@@ -87,8 +76,21 @@ std::string rough_where(Op op) {
         return "!(a.x > 0.0 || a.y < 0.0)";
     case Breaks::kink_at_1:
         return "!(im_abs(a).y < 1.0 || im_abs(a).x > 1.0)";
+    case Breaks::kink_where_same:
+        return "!(a.y < b.x || b.y < a.x)";
     case Breaks::turn:
         return unless_far("1.0 + im_square(a).x", "(1.0 + im_square(a).y)");
+    case Breaks::axis:
+    case Breaks::cut: {
+        const std::string far =
+            unless_far("im_square(a).x + im_square(b).x", "(im_square(a).y + im_square(b).y)");
+        return breaks(op) == Breaks::axis ? far
+                                          : "a.x <= 0.0 && a.y >= 0.0 && b.x <= 0.0 || " + far;
+    }
+    case Breaks::pole_at_b_0:
+        return unless_far("im_abs(b).x", "im_abs(b).y");
+    case Breaks::base_at_0:
+        return fmt::format("!(a.x > 0.0 || b.x > {:.1f})", smooth_power);
     case Breaks::pole_at_0:
         return "!(a.x > 0.0)";
     case Breaks::poles:
@@ -344,10 +346,8 @@ std::set<std::string> TapeOperations::kernels() const {
 
 // The operation on inputs 0 to 3.
 Program TapeOperations::program(const Operation& of) const {
-    const std::uint8_t arity =
-        of.op == Op::select                                                    ? 4
-        : of.op == Op::negate || of.op == Op::chebyshev || unary_traits(of.op) ? 1
-                                                                               : 2;
+    const Traits* row = traits(of.op);
+    const std::uint8_t arity = of.op == Op::select ? 4 : row ? std::uint8_t(row->arguments) : 1;
     Program alone;
     Instruction operation{.op = of.op, .arity = arity, .index = of.index, .second = of.second};
     for (int k = 0; k < arity; ++k) {

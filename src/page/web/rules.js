@@ -20,6 +20,8 @@ const operations = {
     asin: (a) => Math.asin(clamp(a, -1, 1)),
     acos: (a) => Math.acos(clamp(a, -1, 1)),
     atan: Math.atan,
+    atan2: (a, b) => Math.atan2(a + 0, b + 0),
+    angle: (a, b) => operations.atan2(a, b),
     floor: Math.floor,
     add: (a, b) => a + b,
     subtract: (a, b) => a - b,

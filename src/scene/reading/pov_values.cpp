@@ -87,6 +87,7 @@ constexpr Known known_functions[] = {
     {"acos", 1, "acos({0})", std::acos},
     {"asin", 1, "asin({0})", std::asin},
     {"atan", 1, "atan({0})", std::atan},
+    {"atan2", 2, "atan2({0}, {1})", nullptr},
     {"ceil", 1, "(-floor(-({0})))", std::ceil},
     {"cos", 1, "cos({0})", std::cos},
     {"cosh", 1, "cosh({0})", std::cosh},

@@ -284,7 +284,7 @@ void find_steps(const Motion& motion, std::vector<std::string>& doubts) {
     const std::vector<bool> rests = resting(motion.graph, below);
     for (const NodeId id : below) {
         const Op op = motion.graph[id].op;
-        if (!formula::has_steps(op)) continue;
+        if (!formula::may_jump(op)) continue;
         if (rests[id]) continue;
         const std::string doubt = fmt::format(
             "'{}' steps from value to value; what changes at a step is not seen", name(op));

@@ -82,7 +82,8 @@ INSTANTIATE_TEST_SUITE_P(
                     Rule{"sin(x*y)"}, Rule{"cos(x+2*y)"}, Rule{"tan(x*y)", -1, 1},
                     Rule{"smoothmin(x*y, y^2 - 1, 20)"}, Rule{"sinh(x*y)"}, Rule{"cosh(x-y)"},
                     Rule{"tanh(x*y)"}, Rule{"asin(x*y)", -0.75, 0.75},
-                    Rule{"acos(x*y)", -0.75, 0.75}, Rule{"atan(x*y)"},
+                    Rule{"acos(x*y)", -0.75, 0.75}, Rule{"atan(x*y)"}, Rule{"atan2(y, x)", 0.5, 2},
+                    Rule{"atan2(x - 3, y)*x", -2, -0.5}, Rule{"cos(2*atan2(x, y))", -2, -0.5},
                     Rule{"chebyshev(5,x*y)", -1, 1}, Rule{"chebyshev(30,x)+y*x", -0.875, 0.875}));
 
 INSTANTIATE_TEST_SUITE_P(Powers, Rules,

@@ -262,7 +262,11 @@ constexpr std::array kinked{
     "(x^2)^0.3 + 2^y - (2 + x)^y",
     "u = max(1, abs(x)); cos(6*acos(min(1, abs(x))))*cosh(6*log(u + sqrt(u*u - 1))) - y",
     "u = max(1, abs(y)); cos(5*acos(y))*cosh(5*log(u + sqrt(u*u - 1))) - cos(9*acos(x - 1/8))*z",
-    "cosh(x)*sinh(y) - tan(z/2) + atan(5*x)"};
+    "cosh(x)*sinh(y) - tan(z/2) + atan(5*x)",
+    "atan2(y, x) + z",
+    "atan2(x - 1/8, y + z)*atan2(z, x)",
+    "cos(3*atan2(y, x))*sqrt(x^2 + y^2) - z",
+    "sin(2*atan2(y, x) - z)*tan(atan2(z, y)/2)"};
 
 // Divided differences of any two points, not only derivatives: across kinks and jumps too.
 TEST(Enclosure, HoldsDividedDifferences) {

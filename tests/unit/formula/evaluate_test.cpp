@@ -54,7 +54,7 @@ TYPED_TEST(Blocks, GiveTheBitsOfSinglePoints) {
     using T = TypeParam;
     for (const auto* text :
          {"sum(blobs, weight*exp(-s*((x-cx)^2+(y-cy)^2+(z-cz)^2))) - a",
-          "sin(x)*cos(y)+tan(z)-atan(x*y)+tanh(z)+asin(x)*acos(y)",
+          "sin(x)*cos(y)+tan(z)-atan(x*y)+tanh(z)+asin(x)*acos(y)", "atan2(y,x)*cos(atan2(x,z))",
           "x^1.5+abs(y)^m-sinh(z)*cosh(x)",
           "min(x,y,z)/max(x*y,z)+floor(4*x)+sign(y)+sqrt(z)+log(x)", "chebyshev(50,x)-z", "7", "y",
           "sum(blobs, sum(links, cx*px*x))", "least(blobs, cx*x)*greatest(links, px*y - z)"}) {

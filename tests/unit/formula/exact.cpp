@@ -80,6 +80,10 @@ Exact apply(Op op, const Exact& a, const Exact& b) {
         return a < b ? a : b;
     case Op::max:
         return a < b ? b : a;
+    case Op::atan2:
+    case Op::angle:
+        // -0 is 0.
+        return a == 0 && b == 0 ? Exact(0) : computed(mpfr_atan2, a == 0 ? Exact(0) : a, b);
     case Op::power:
         if (b == 0) return 1;
         if (a == 0) return Exact(0) < b ? 0 : most;

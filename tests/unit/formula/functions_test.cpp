@@ -11,6 +11,7 @@
 #include <vector>
 
 #include <fmt/format.h>
+#include <gmock/gmock.h>
 
 #include "formula/graph/operations.h"
 #include "testing.h"
@@ -59,9 +60,9 @@ TEST(Functions, TakeAsManyArgumentsAsTheyHave) {
             continue;
         }
         for (const std::size_t count : {std::size_t(0), function.count - 1, function.count + 1}) {
-            EXPECT_EQ(parses(count),
-                      fmt::format("{} takes {} argument{}, not {}", function.name, function.count,
-                                  function.count == 1 ? "" : "s", count));
+            EXPECT_THAT(parses(count), testing::StartsWith(fmt::format(
+                                           "{} takes {} argument{}, not {}", function.name,
+                                           function.count, function.count == 1 ? "" : "s", count)));
         }
     }
 }
@@ -110,7 +111,7 @@ TEST(Functions, HaveTheValuesThatTheirRowsSay) {
     }
     constexpr double large = 1e6; // beyond what a finite function makes of the points
     for (const Op op : functions_of_one) {
-        const UnaryTraits& row = *unary_traits(op);
+        const Traits& row = *unary_traits(op);
         double most = 0;
         for (const double x : points) {
             const double f = result_of(op, x);
@@ -163,6 +164,83 @@ TEST(Functions, BreakWhereTheirRowsSay) {
         const bool is_flat = result_of(op, 0.3) == result_of(op, 0.4);
         EXPECT_EQ(is_flat, row == Breaks::steps) << name(op);
         EXPECT_EQ(has_steps(op), row == Breaks::steps) << name(op);
+    }
+}
+
+double result_of(Op op, double a, double b) {
+    using Do = Operations<double>;
+    switch (op) {
+#define ROW(name, ...)                                                                             \
+    case Op::name:                                                                                 \
+        return Do::name(a, b);
+        ISOMOTION_OPERATIONS_OF_TWO(ROW)
+#undef ROW
+    default:
+        ADD_FAILURE() << "no operation of two arguments: " << int(op);
+        return 0;
+    }
+}
+
+constexpr std::array operations_of_two{
+#define ROW(name, ...) Op::name,
+    ISOMOTION_OPERATIONS_OF_TWO(ROW)
+#undef ROW
+};
+
+TEST(Functions, OfTwoHaveTheValuesThatTheirRowsSay) {
+    std::vector<double> points{0};
+    for (int k = -30; k <= 30; ++k) {
+        for (const double sign : {-1.0, 1.0}) points.push_back(sign * std::pow(1.6, k));
+    }
+    for (const Op op : operations_of_two) {
+        const Traits& row = *traits(op);
+        double most = 0;
+        bool is_negative = false; // of arguments that are not
+        for (const double a : points) {
+            for (const double b : points) {
+                const double f = result_of(op, a, b);
+                if (std::isnan(f)) continue;
+                most = std::max(most, std::abs(f));
+                const bool never =
+                    row.is_never_negative([&](int k) { return (k == 0 ? a : b) >= 0; });
+                if (never) {
+                    EXPECT_GE(f, 0) << name(op) << ' ' << a << ' ' << b;
+                }
+                is_negative = is_negative || (a >= 0 && b >= 0 && f < 0);
+            }
+        }
+        EXPECT_EQ(is_negative, op == Op::subtract) << name(op);
+        const double products = 1e13; // of the largest points
+        EXPECT_EQ(most > products, row.extent == Extent::unbounded) << name(op) << ' ' << most;
+        EXPECT_EQ(row.arguments, 2u);
+        EXPECT_EQ(unary_traits(op), nullptr);
+    }
+}
+
+// Slopes beside points of each kind.
+TEST(Functions, OfTwoBreakWhereTheirRowsSay) {
+    constexpr double h = 1e-7;
+    const auto bends = [](double before, double f, double after) {
+        const double left = (f - before) / h, right = (after - f) / h;
+        constexpr double of_a_jump = 1e5;
+        return !(std::abs(left - right) < 1e-3 && std::abs(left) < of_a_jump);
+    };
+    const auto bends_at = [&](Op op, double a, double b) {
+        const double f = result_of(op, a, b);
+        return bends(result_of(op, a - h, b), f, result_of(op, a + h, b)) ||
+               bends(result_of(op, a, b - h), f, result_of(op, a, b + h));
+    };
+    for (const Op op : operations_of_two) {
+        const Breaks row = breaks(op);
+        EXPECT_FALSE(bends_at(op, 0.3, 0.7)) << name(op);
+        EXPECT_EQ(bends_at(op, 0.3, 0.3), row == Breaks::kink_where_same) << name(op);
+        EXPECT_EQ(bends_at(op, 0, 0.5), row == Breaks::base_at_0) << name(op);
+        EXPECT_EQ(bends_at(op, 0, -0.5),
+                  row == Breaks::base_at_0 || row == Breaks::cut || row == Breaks::axis)
+            << name(op);
+        EXPECT_EQ(bends_at(op, 0.3, 0), row == Breaks::pole_at_b_0) << name(op);
+        const bool is_rough_at_0 = row != Breaks::nowhere;
+        EXPECT_EQ(bends_at(op, 0, 0), is_rough_at_0) << name(op);
     }
 }
 

@@ -17,20 +17,21 @@ struct Unary {
     Op op;
     Interval (*enclose)(Interval);
 };
-const std::vector<Unary> unary{
-    {Op::negate, Do::negate}, {Op::abs, Do::abs},   {Op::sign, Do::sign}, {Op::sqrt, Do::sqrt},
-    {Op::exp, Do::exp},       {Op::log, Do::log},   {Op::sin, Do::sin},   {Op::cos, Do::cos},
-    {Op::tan, Do::tan},       {Op::sinh, Do::sinh}, {Op::cosh, Do::cosh}, {Op::tanh, Do::tanh},
-    {Op::asin, Do::asin},     {Op::acos, Do::acos}, {Op::atan, Do::atan}, {Op::floor, Do::floor}};
+const std::vector<Unary> unary{{Op::negate, Do::negate},
+#define ROW(name, ...) {Op::name, Do::name},
+                               ISOMOTION_FUNCTIONS(ROW)
+#undef ROW
+};
 
 struct Binary {
     Op op;
     Interval (*enclose)(Interval, Interval);
 };
-const std::vector<Binary> binary{{Op::add, Do::add},           {Op::subtract, Do::subtract},
-                                 {Op::multiply, Do::multiply}, {Op::min, Do::min},
-                                 {Op::max, Do::max},           {Op::divide, Do::divide},
-                                 {Op::power, Do::power}};
+const std::vector<Binary> binary{
+#define ROW(name, ...) {Op::name, Do::name},
+    ISOMOTION_OPERATIONS_OF_TWO(ROW)
+#undef ROW
+};
 
 // What Operations<double> cuts off.
 bool is_cut_off(Op op) {
@@ -52,7 +53,9 @@ bool is_proper(Interval a) { return a.lo <= a.hi && a.lo < infinity && a.hi > -i
 
 testing::AssertionResult encloses(Op op, Interval result, const Exact& value) {
     if (!is_proper(result)) return testing::AssertionFailure() << name(op) << " is improper";
-    if (!holds(result, value)) return testing::AssertionFailure() << name(op) << " is " << value;
+    const bool turns = op == Op::angle; // the enclosure may hold the angle and a turn
+    if (!holds(result, value) && !(turns && holds(result, value + Exact::pi() + Exact::pi())))
+        return testing::AssertionFailure() << name(op) << " is " << value;
     if (is_cut_off(op) && !holds(result, saturated(value)))
         return testing::AssertionFailure() << name(op) << " is cut off at " << saturated(value);
     return testing::AssertionSuccess();
@@ -128,6 +131,7 @@ TEST(IntervalOperations, GrowWithTheirArguments) {
         const Unary& f = unary[std::size_t(trial) % unary.size()];
         ASSERT_TRUE(contains(f.enclose(a), f.enclose(less_a))) << name(f.op);
         const Binary& g = binary[std::size_t(trial) % binary.size()];
+        if (g.op == Op::angle) continue; // of a part may be a turn less
         if (g.op != Op::multiply || !overflows(less_a, less_b)) {
             ASSERT_TRUE(contains(g.enclose(a, b), g.enclose(less_a, less_b))) << name(g.op);
         }
@@ -199,7 +203,10 @@ TEST(IntervalOperations, AreTightInTheirCorners) {
             const double x = random.in(low, 4), y = random.in(low, 4);
             return Interval(std::min(x, y), std::max(x, y));
         };
-        const Interval a = draw(f.op == Op::power ? 0 : -4),
+        const bool is_angle = f.op == Op::atan2 || f.op == Op::angle;
+        const Interval a = draw(f.op == Op::power ? 0
+                                : is_angle        ? 0.1
+                                                  : -4),
                        b = draw(f.op == Op::divide ? 0.1 : -4);
         const Interval result = f.enclose(a, b);
         Exact low = apply(f.op, a.lo, b.lo), high = low;
@@ -319,6 +326,26 @@ TEST(IntervalOperations, Powers) {
     EXPECT_EQ(Do::power({0, 0.5}, -1.0).hi, infinity);
     EXPECT_NEAR(Do::power({0, 0.5}, -1.0).lo, 2, 1e-14);
     EXPECT_EQ(Do::power(0.0, -1.0), Interval(Do::saturation(), infinity));
+}
+
+// A box about the origin of the plane, about the cut, and on each side of it.
+TEST(IntervalOperations, AnglesGoOnAcrossTheCut) {
+    constexpr double pi = 3.14159265358979323846;
+    const auto is_near = [](Interval a, double lo, double hi) {
+        return std::abs(a.lo - lo) < 1e-14 && std::abs(a.hi - hi) < 1e-14;
+    };
+    EXPECT_TRUE(is_near(Do::angle({-1, 1}, {-2, -1}), 0.75 * pi, 1.25 * pi));
+    EXPECT_TRUE(is_near(Do::atan2({-1, 1}, {-2, -1}), -pi, pi));
+    EXPECT_TRUE(is_near(Do::angle({-1, 1}, {-2, 1}), -pi, pi));
+    EXPECT_TRUE(is_near(Do::atan2({-1, 1}, {1, 2}), -0.25 * pi, 0.25 * pi));
+    EXPECT_TRUE(is_near(Do::atan2({0, 1}, {-2, -1}), 0.75 * pi, pi));
+    EXPECT_TRUE(is_near(Do::atan2({0, 1}, {-2, 3}), 0, pi));
+    EXPECT_TRUE(is_near(Do::atan2({-1, -0.5}, {-1, 1}), -pi + std::atan(0.5), -std::atan(0.5)));
+    EXPECT_TRUE(is_near(Do::atan2({1, 2}, {-1, 1}), 0.25 * pi, 0.75 * pi));
+    // Points that no double tells from the cut are on both sides of it.
+    EXPECT_TRUE(is_near(Do::atan2({-smallest_positive, 0}, -1.0), -pi, pi));
+    EXPECT_TRUE(holds(Do::atan2(0.0, -1.0), Exact::pi()));
+    EXPECT_TRUE(contains(Do::atan2(0.0, 0.0), 0.0));
 }
 
 TEST(IntervalOperations, ChoicesUndecidedTakeBoth) {

@@ -66,7 +66,7 @@ private:
         const auto with = [&](const char* operation) {
             return fmt::format(fmt::runtime(operation), a, part(depth - 1 - random_.below(depth)));
         };
-        switch (random_.below(13)) {
+        switch (random_.below(15)) {
         case 0:
             return with("({} + {})");
         case 1:
@@ -84,6 +84,10 @@ private:
         case 7:
             return fmt::format("({})^{}", a, powers[random_.below(int(std::size(powers)))]);
         case 8:
+            return with("atan2({}, {})");
+        case 9:
+            return fmt::format("cos({}*{})", 1 + random_.below(6), with("atan2({}, {})"));
+        case 10:
             return fmt::format("chebyshev({}, {})", 2 + random_.below(random_.below(4) ? 6 : 40),
                                a);
         default:

@@ -64,6 +64,7 @@ const auto tan_of = [](double a, double) { return saturated(std::tan(a)); };
 const auto asin_of = [](double a, double) { return std::asin(std::clamp(a, -1.0, 1.0)); };
 const auto acos_of = [](double a, double) { return std::acos(std::clamp(a, -1.0, 1.0)); };
 const auto atan_of = [](double a, double) { return std::atan(a); };
+const auto atan2_of = [](double a, double b) { return std::atan2(a == 0 ? 0 : a, b); };
 const auto sqrt_of = [](double a, double) { return std::sqrt(std::max(a, 0.0)); };
 const auto divide_of = [](double a, double b) { return saturated(a / b); };
 
@@ -103,6 +104,14 @@ const Claim claims[] = {
     {"im_acos(a)", acos_of, {0.9f, 1.01f}, {}, Unit::ulp, 1.7},
     {"im_atan(a)", atan_of, {-4, 4}, {}, Unit::ulp, 2.6},
     {"im_atan(a)", atan_of, {-1e37f, 1e37f, by_size}, {}, Unit::ulp, 2.6},
+    {"im_atan2(a, b)", atan2_of, {-4, 4}, {-4, 4}, Unit::ulp, 2.9},
+    {"im_atan2(a, b)",
+     atan2_of,
+     {-1e37f, 1e37f, by_size},
+     {-1e37f, 1e37f, by_size},
+     Unit::ulp,
+     2.9},
+    {"im_atan2(a, b)", atan2_of, {-1e-3f, 1e-3f}, {-4, 4}, Unit::ulp, 2.9},
     {"im_sqrt(a)", sqrt_of, {-1, 100}, {}, Unit::ulp, 0.5},
     {"im_sqrt(a)", sqrt_of, {1.2e-38f, 3.4e38f, by_size}, {}, Unit::ulp, 0.5},
     {"im_divide(a, b)", divide_of, {-1e37f, 1e37f, by_size}, {-10, 10}, Unit::ulp, 0.5},

@@ -189,10 +189,11 @@ const std::vector<std::string>& operation_formulas() {
         "chebyshev(40, x)", "1e39*x", "1e-42*x", "x*0.1 + 0.3",
         // Compositions in which one operation's special values meet another.
         "exp(x)*exp(-x)", "sqrt(x^2 + y^2)", "exp(x)/exp(y)", "log(exp(x))", "log(abs(x))",
-        "tan(x)/tan(x)", "abs(x)^a*sign(x)", "1/(1 + exp(-x))", "atan(y/x)", "1/x - 1/y",
-        "floor(x) - x + floor(-y)", "max(0, 1 - x^2)^3", "acos(x)*asin(y)", "tanh(a*x)*b",
-        "abs(min(x, max(y, z)))", "sqrt(abs(x))*sqrt(abs(y)) - sqrt(z)", "cos(8*acos(x))",
-        "x - -y - -1", "exp(-(x^2 + y^2 + z^2))", "sin(40*x)*cos(40*y)", "sinh(x) - cosh(y)"};
+        "atan2(y, x)", "atan2(x - z, y)", "sin(3*atan2(y, x))", "tan(x)/tan(x)", "abs(x)^a*sign(x)",
+        "1/(1 + exp(-x))", "atan(y/x)", "1/x - 1/y", "floor(x) - x + floor(-y)",
+        "max(0, 1 - x^2)^3", "acos(x)*asin(y)", "tanh(a*x)*b", "abs(min(x, max(y, z)))",
+        "sqrt(abs(x))*sqrt(abs(y)) - sqrt(z)", "cos(8*acos(x))", "x - -y - -1",
+        "exp(-(x^2 + y^2 + z^2))", "sin(40*x)*cos(40*y)", "sinh(x) - cosh(y)"};
     return formulas;
 }
 

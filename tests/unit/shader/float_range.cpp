@@ -4,6 +4,8 @@
 
 #include "range_operations.h"
 
+#include "formula/interval/interval_operations.h"
+
 namespace isomotion::shader {
 namespace {
 
@@ -160,6 +162,13 @@ private:
             return ranges::acos(a);
         case Op::atan:
             return ranges::increasing(a, 6, [](double v) { return std::atan(v); });
+        case Op::atan2:
+        case Op::angle: {
+            using Do = formula::Operations<formula::Interval>;
+            const formula::Interval all = Do::atan2({a.low, a.high}, {b.low, b.high});
+            const double off = 8 * 0x1p-24 * magnitude(all); // 8 halves of a float's last bit
+            return {all.lo - off, all.hi + off, a.nan || b.nan};
+        }
         case Op::add:
             return ranges::add(a, b);
         case Op::subtract:

@@ -39,13 +39,13 @@ std::map<std::string, KernelFile> read_kernel_files() {
         EXPECT_NE(needs, first.npos) << name << ": the first line says what the file needs";
         if (needs == first.npos) continue;
         KernelFile& file = files[name.substr(5)];
-        file.kernels = matches(first.substr(0, needs), "im_([a-z]+)");
+        file.kernels = matches(first.substr(0, needs), "im_([a-z0-9]+)");
         file.needs = matches(first.substr(needs), "([a-z_]+\\.glsl)");
         EXPECT_EQ(file.needs.empty(), first.find("no other file") != first.npos) << name;
         const std::string code = std::regex_replace(text, std::regex("//[^\n]*"), "");
-        file.defines = matches(code, "\n[a-z0-9]+ (im_[a-z_]+)\\(");
+        file.defines = matches(code, "\n[a-z0-9]+ (im_[a-z0-9_]+)\\(");
         file.defines.merge(matches(code, "#define (IM_[A-Z]+)"));
-        file.uses = matches(code, "\\b(im_[a-z_]+|IM_[A-Z]+)\\b");
+        file.uses = matches(code, "\\b(im_[a-z0-9_]+|IM_[A-Z]+)\\b");
     }
     return files;
 }
@@ -79,7 +79,7 @@ TEST_F(KernelFiles, AKernelComesWithWhatItsFileNeeds) {
     // All that the writer of GLSL calls is there.
     const auto every = formula::make_field(
         "sqrt(x)/y + exp(x)^y + log(x) + sin(x) + cos(x) + tan(x) + sinh(x) + cosh(x) + tanh(x) + "
-        "asin(x) + acos(x) + atan(x)",
+        "asin(x) + acos(x) + atan(x) + atan2(y, x) + cos(atan2(y, x))",
         {});
     EXPECT_EQ(formula::kernels_used(every.value), kernels);
 }
