@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "formula/graph/composed_functions.h"
 #include "formula/graph/term.h"
 
 namespace isomotion::formula {
@@ -68,9 +69,11 @@ constexpr std::array table{
 std::span<const Function> functions() { return table; }
 
 const Function* find_function(std::string_view name) {
-    const auto* const row =
-        std::find_if(table.begin(), table.end(), [&](const Function& f) { return f.name == name; });
-    return row == table.end() ? nullptr : row;
+    for (const std::span<const Function> rows : {functions(), composed_functions()}) {
+        const auto row = std::ranges::find(rows, name, &Function::name);
+        if (row != rows.end()) return &*row;
+    }
+    return nullptr;
 }
 
 const Traits* traits(Op op) {

@@ -24,9 +24,11 @@ struct Function {
     bool (*has_value)(double x);
 };
 
-// Functions of one argument first, in the order of their table.
+// Those whose names nothing else may have. Functions of one argument first, in the order of their
+// table.
 std::span<const Function> functions();
-const Function* find_function(std::string_view name); // null if there is none
+// Of these, or of composed_functions(); null if there is none.
+const Function* find_function(std::string_view name);
 
 enum class Shader : std::uint8_t {
     built_in,     // a function of GLSL, exact and monotone, so that it maps the ends of intervals

@@ -13,8 +13,12 @@
 #include <fmt/format.h>
 
 #include "base/nearest_name.h"
+#include "formula/graph/composed_functions.h"
 #include "formula/graph/functions.h"
 #include "formula/graph/limits.h"
+#include "formula/graph/own_functions.h"
+#include "formula/graph/substitute.h"
+#include "formula/graph/text_cursor.h"
 #include "formula/graph/utf8.h"
 
 namespace isomotion::formula {
@@ -22,19 +26,20 @@ namespace {
 
 std::vector<std::string> function_names() {
     std::vector<std::string> names;
-    for (const Function& function : functions()) names.emplace_back(function.name);
+    for (const std::span<const Function> rows : {functions(), composed_functions()}) {
+        for (const Function& function : rows) names.emplace_back(function.name);
+    }
     return names;
 }
 
-bool is_name_start(char c) { return std::isalpha(static_cast<unsigned char>(c)) || c == '_'; }
-bool is_name_part(char c) {
-    return is_name_start(c) || std::isdigit(static_cast<unsigned char>(c));
+bool is_function_name(std::string_view name) {
+    return std::ranges::find(functions(), name, &Function::name) != functions().end();
 }
 
-class Parser {
+class Parser : private TextCursor {
 public:
     Parser(std::string_view text, const Names& names, Graph& graph)
-        : text_(text)
+        : TextCursor(text)
         , names_(names)
         , vocabulary_(names.vocabulary())
         , graph_(graph) {}
@@ -59,7 +64,7 @@ public:
     }
 
 private:
-    // `name = expression ;` if one starts here.
+    // `name = expression ;` or `name(names) = expression ;` if one starts here.
     bool parse_definition() {
         skip_space();
         const std::size_t begin = at_;
@@ -67,25 +72,106 @@ private:
         if (word.empty()) return false;
         at_ += word.size();
         skip_space();
+        const std::size_t end_of_word = at_;
+        const std::optional<std::vector<std::string>> arguments = argument_names();
+        if (!arguments) at_ = end_of_word;
+        skip_space();
         const bool is_equation = vocabulary_.allows_equation && text_.find(';', at_) == text_.npos;
         if (peek() != '=' || is_equation) {
             at_ = begin;
             return false;
         }
-        if (is_reserved(word)) fail(begin, fmt::format("'{}' already has a meaning", word));
-        if (word.size() > limits::name_bytes) {
-            fail(begin, fmt::format("a name of {} characters; at most {} are read", word.size(),
-                                    limits::name_bytes));
-        }
+        check_new_name(word, begin);
         ++at_;
-        const NodeId value = expression();
+        if (arguments) {
+            define_function(word, *arguments, begin);
+        } else {
+            definitions_[std::string(word)] = expression();
+        }
         skip_space();
         if (peek() != ';') {
             fail(at_, fmt::format("expected ';' after the definition of '{}'", word));
         }
         ++at_;
-        definitions_[std::string(word)] = value;
         return true;
+    }
+
+    void check_new_name(std::string_view word, std::size_t place) const {
+        if (is_reserved(word)) fail(place, fmt::format("'{}' already has a meaning", word));
+        if (word.size() > limits::name_bytes) {
+            fail(place, fmt::format("a name of {} characters; at most {} are read", word.size(),
+                                    limits::name_bytes));
+        }
+    }
+
+    // The names within parentheses, if nothing else is there.
+    std::optional<std::vector<std::string>> argument_names() {
+        if (!accept('(')) return std::nullopt;
+        std::vector<std::string> names;
+        do {
+            skip_space();
+            const std::string_view word = peek_name();
+            if (word.empty()) return std::nullopt;
+            names.emplace_back(word);
+            at_ += word.size();
+            skip_space();
+        } while (accept(','));
+        return accept(')') ? std::optional(names) : std::nullopt;
+    }
+
+    // Coordinates and parameters may be names of arguments: those are hidden within the function.
+    void define_function(std::string_view name, const std::vector<std::string>& arguments,
+                         std::size_t begin) {
+        if (names_.parameter(name) || definitions_.contains(name))
+            fail(begin, fmt::format("'{}' already has a value", name));
+        for (std::size_t k = 0; k < arguments.size(); ++k) {
+            const std::string& argument = arguments[k];
+            if (argument == "pi" || is_function_name(argument))
+                fail(begin, fmt::format("'{}' already has a meaning", argument));
+            if (std::count(arguments.begin(), arguments.end(), argument) > 1)
+                fail(begin, fmt::format("two arguments of '{}' are named '{}'", name, argument));
+        }
+        Parser body(text_, names_, own().bodies());
+        body.outer_ = this;
+        body.at_ = at_;
+        body.function_ = name;
+        body.arguments_ = arguments;
+        const NodeId root = body.expression();
+        at_ = body.at_;
+        own().add(name, {arguments, root});
+    }
+
+    OwnFunctions& own() { return outer_ ? outer_->own() : own_functions_; }
+
+    NodeId call_own(const OwnFunction& function, std::string_view name, std::size_t begin) {
+        const std::vector<NodeId> arguments = argument_list();
+        if (arguments.size() != function.arguments.size()) {
+            fail(begin, fmt::format("{}({}) takes {} argument{}, not {}", name,
+                                    join(function.arguments), function.arguments.size(),
+                                    function.arguments.size() == 1 ? "" : "s", arguments.size()));
+        }
+        std::vector<int> open;
+        for (const OpenLoop& loop : open_arrays_) open.push_back(loop.array);
+        if (const auto array = own().array_of(function, open)) {
+            fail(begin, fmt::format("'{}' goes through '{}', and is called where that is done",
+                                    name, vocabulary_.arrays[std::size_t(*array)].name));
+        }
+        const NodeId value = own().call(graph_, function, arguments);
+        for (const NodeId id : nodes_below(graph_, std::array{value})) {
+            const Node& node = graph_[id];
+            if (node.op == Op::constant && !std::isfinite(node.value))
+                fail(begin, fmt::format("{} is not defined here", name));
+        }
+        check_size();
+        return value;
+    }
+
+    void check_size() const {
+        if (graph_.size() > limits::formula_nodes) {
+            fail(at_, fmt::format("the formula is too large: it has more than {} operations, names "
+                                  "and numbers",
+                                  limits::formula_nodes));
+        }
     }
 
     NodeId expression() {
@@ -139,11 +225,7 @@ private:
 
     NodeId factor() {
         const Depth depth(*this);
-        if (graph_.size() > limits::formula_nodes) {
-            fail(at_, fmt::format("the formula is too large: it has more than {} operations, names "
-                                  "and numbers",
-                                  limits::formula_nodes));
-        }
+        check_size();
         skip_space();
         if (accept('-') || accept(minus_sign)) return graph_.unary(Op::negate, factor());
         if (accept('+')) return factor();
@@ -202,6 +284,8 @@ private:
             graph_[exponent].value < 0) {
             fail(place, "division by zero: 0 to a negative power");
         }
+        if (graph_.is_constant(base, std::numbers::e))
+            return checked(graph_.unary(Op::exp, exponent), place, out_of_range);
         return checked(graph_.binary(Op::power, base, exponent), place,
                        "a negative number has no real power with a fractional exponent");
     }
@@ -232,6 +316,9 @@ private:
         if (error == std::errc::result_out_of_range) fail(at_, "this number is out of range");
         if (error != std::errc{}) fail(at_, "this is not a number");
         at_ += std::size_t(end - first);
+        if (peek_name() == "e")
+            fail(at_, "the exponent of a number has no digits; write 2*e for a "
+                      "product");
         return graph_.constant(value);
     }
 
@@ -245,11 +332,23 @@ private:
             const auto& parameter = fields[std::size_t(*field)].parameter;
             return parameter ? graph_.parameter(*parameter) : graph_.element(it->array, *field);
         }
+        const auto argument = std::ranges::find(arguments_, word);
+        if (argument != arguments_.end())
+            return own().argument(std::size_t(argument - arguments_.begin()));
         if (const auto it = definitions_.find(word); it != definitions_.end()) return it->second;
+        if (const auto value = outer_ ? outer_->defined(word) : std::nullopt)
+            return own().outside(*value);
         if (const auto k = names_.input(word)) return graph_.input(*k);
         if (const auto k = names_.parameter(word)) return graph_.parameter(*k);
         if (word == "pi") return graph_.constant(std::numbers::pi);
+        if (word == "tau") return graph_.constant(2 * std::numbers::pi);
+        if (word == "e") return graph_.constant(std::numbers::e);
         return std::nullopt;
+    }
+
+    std::optional<NodeId> defined(std::string_view word) const {
+        const auto found = definitions_.find(word);
+        return found == definitions_.end() ? std::nullopt : std::optional(found->second);
     }
 
     NodeId call(std::string_view called, std::size_t begin) {
@@ -272,37 +371,15 @@ private:
         return name;
     }
 
-    // What to write for functions of other languages, whose names stay free for parameters.
-    static std::string_view what_to_write_for(std::string_view name) {
-        constexpr std::array<std::array<std::string_view, 2>, 17> others{{
-            {"arg", "atan2(y, x) for the angle of the point (x, y)"},
-            {"cbrt", "sign(a)*abs(a)^(1/3) for cbrt(a)"},
-            {"ceil", "-floor(-a) for ceil(a)"},
-            {"clamp", "min(max(a, b), c) for clamp(a, b, c)"},
-            {"exp2", "2^a for exp2(a)"},
-            {"fract", "a - floor(a) for fract(a)"},
-            {"if", "min, max, abs or sign for if, which jumps"},
-            {"hypot", "sqrt(a^2 + b^2) for hypot(a, b)"},
-            {"length", "sqrt(a^2 + b^2 + c^2) for length(a, b, c)"},
-            {"log10", "log(a)/log(10) for log10(a)"},
-            {"log2", "log(a)/log(2) for log2(a)"},
-            {"mix", "a + (b - a)*c for mix(a, b, c)"},
-            {"mod", "a - b*floor(a/b) for mod(a, b)"},
-            {"round", "floor(a + 0.5) for round(a)"},
-            {"smoothmax", "-smoothmin(-a, -b, k) for smoothmax(a, b, k)"},
-            {"smoothstep",
-             "u^2*(3 - 2*u) for smoothstep(a, b, c), with u = min(max((c - a)/(b - a), 0), 1)"},
-            {"step", "min(max(sign(b - a), 0), 1) for step(a, b), which jumps"},
-        }};
-        for (const auto& [other, plain] : others) {
-            if (name == other) return plain;
-        }
-        return "";
-    }
-
     NodeId called_by(std::string_view name, std::size_t begin) {
-        if (const std::string_view instead = what_to_write_for(name); !instead.empty())
-            fail(begin, fmt::format("there is no function '{}': write {}", name, instead));
+        if (name == "arg" || name == "if") {
+            fail(begin,
+                 fmt::format("there is no function '{}': write {}", name,
+                             name == "if" ? "min, max, abs or sign for if, which jumps"
+                                          : "atan2(y, x) for the angle of the point (x, y)"));
+        }
+        if (name == function_) fail(begin, fmt::format("'{}' calls itself", name));
+        if (const OwnFunction* function = own().find(name)) return call_own(*function, name, begin);
         if (name == "sum" || name == "least" || name == "greatest")
             return over_elements(name, begin);
         if (name == "chebyshev") return chebyshev();
@@ -485,7 +562,6 @@ private:
                                      ? fmt::format("; a product is written '{}'", product)
                                  : word == "t" ? "; time moves parameters: name one here, as T, "
                                                  "and write T = \"t\" under [parameters]"
-                                 : word == "e" && near.empty() ? "; write exp(x) for e^x"
                                  : word == "theta" ? "; write atan2(y, x) for an angle about the z "
                                                      "axis"
                                  : near.empty()    ? fmt::format("; known: {}", join(known))
@@ -515,7 +591,7 @@ private:
         const std::string_view sign = text_.substr(at_, length);
         const bool compares = sign == "<" || sign == ">" || sign == "≤" || sign == "≥";
         const char* instead = compares      ? ": a surface is where both sides are equal: write '='"
-                              : sign == "%" ? ": write a - b*floor(a/b) for the rest of a/b"
+                              : sign == "%" ? ": write mod(a, b) for the rest of a/b"
                                             : "";
         fail(at_, fmt::format("unexpected '{}'{}", sign, instead));
     }
@@ -538,35 +614,15 @@ private:
         Parser& owner;
     };
 
-    char peek() const { return at_ < text_.size() ? text_[at_] : '\0'; }
-    std::string_view peek_name() const {
-        if (!is_name_start(peek())) return {};
-        std::size_t end = at_ + 1;
-        while (end < text_.size() && is_name_part(text_[end])) ++end;
-        return text_.substr(at_, end - at_);
-    }
-    void skip_space() { at_ = std::min(text_.find_first_not_of(" \t\r\n", at_), text_.size()); }
     static constexpr std::string_view minus_sign = "−";
-    bool accept(std::string_view characters) {
-        if (!text_.substr(at_).starts_with(characters)) return false;
-        at_ += characters.size();
-        return true;
-    }
-    bool accept(char c) {
-        if (peek() != c) return false;
-        ++at_;
-        return true;
-    }
     void expect(char c, std::string_view why) {
         skip_space();
         if (!accept(c)) fail(at_, fmt::format("expected '{}' {}", c, why));
     }
 
-    std::string_view text_;
     const Names& names_;
     const Vocabulary& vocabulary_;
     Graph& graph_;
-    std::size_t at_ = 0;
     int depth_ = 0;
     int open_bars_ = 0; // absolute values that wait for their closing bar
     struct OpenLoop {
@@ -575,6 +631,11 @@ private:
     };
     std::vector<OpenLoop> open_arrays_; // arrays being gone through
     std::map<std::string, NodeId, std::less<>> definitions_;
+    OwnFunctions own_functions_;
+    // Of the parser of a function's body.
+    Parser* outer_ = nullptr;
+    std::string_view function_;
+    std::vector<std::string> arguments_;
 };
 
 } // namespace
@@ -588,7 +649,7 @@ NodeId parse(std::string_view text, const Names& names, Graph& graph) {
 }
 
 bool is_reserved(std::string_view name) {
-    return name == "pi" || name == "x" || name == "y" || name == "z" || find_function(name);
+    return name == "pi" || name == "x" || name == "y" || name == "z" || is_function_name(name);
 }
 
 } // namespace isomotion::formula

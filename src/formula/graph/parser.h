@@ -1,16 +1,19 @@
 // Parses text to an expression graph.
 //
-//     formula    = { name '=' expression ';' } expression
+//     formula    = { definition ';' } expression
+//     definition = name [ '(' names ')' ] '=' expression
 //     expression = term { ('+' | '-') term }
 //     term       = factor { ('*' | '/') factor }
 //     factor     = ('-' | '+') factor | power
 //     power      = primary [ '^' factor ]     (right associative; -x^2 is -(x^2))
 //     primary    = number | name | name '(' arguments ')' | '(' expression ')'
 //
-// Functions are those of functions.h. In chebyshev(n, a), n is a constant integer. In sum(array,
-// expression), least(array, expression) and greatest(array, expression) the array's fields are
-// names; least(array, expression, value) is the value of the element whose expression is least.
-// Constant: pi. `name = expression;` names a repeated part.
+// Functions are those of functions.h and composed_functions.h, and those that are defined before.
+// In chebyshev(n, a), n is a constant integer. In sum(array, expression), least(array, expression)
+// and greatest(array, expression) the array's fields are names; least(array, expression, value) is
+// the value of the element whose expression is least. Constants: pi, and e and tau where these
+// names have no other meaning. `name = expression;` names a repeated part, `name(u, v) =
+// expression;` a function, which must not call itself.
 #pragma once
 
 #include <string>

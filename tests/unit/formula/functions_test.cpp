@@ -13,6 +13,7 @@
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 
+#include "formula/graph/composed_functions.h"
 #include "formula/graph/operations.h"
 #include "testing.h"
 
@@ -40,7 +41,9 @@ TEST(Functions, HaveDifferentNamesThatAreReserved) {
 TEST(Functions, TakeAsManyArgumentsAsTheyHave) {
     Vocabulary vocabulary = test_vocabulary();
     vocabulary.allows_random = true;
-    for (const Function& function : functions()) {
+    std::vector<Function> all(functions().begin(), functions().end());
+    all.insert(all.end(), composed_functions().begin(), composed_functions().end());
+    for (const Function& function : all) {
         if (!function.call && function.name != "pow") continue; // arrays and degrees are no values
         const auto parses = [&](std::size_t count) {
             Graph graph;
@@ -268,7 +271,9 @@ TEST(Functions, AreThoseOfTheDocuments) {
     ASSERT_NE(begin, std::string::npos);
     ASSERT_NE(end, std::string::npos);
     const std::string list = page.substr(begin, end - begin);
-    for (const Function& function : functions()) {
+    std::vector<Function> all(functions().begin(), functions().end());
+    all.insert(all.end(), composed_functions().begin(), composed_functions().end());
+    for (const Function& function : all) {
         const std::string written = fmt::format("{}({})", function.name, function.arguments);
         if (function.name == "random") {
             EXPECT_NE(scenes.find(written), std::string::npos);

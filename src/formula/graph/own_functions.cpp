@@ -1,0 +1,40 @@
+#include "formula/graph/own_functions.h"
+
+#include <algorithm>
+#include <array>
+
+#include "formula/graph/substitute.h"
+
+namespace isomotion::formula {
+
+void OwnFunctions::add(std::string_view name, OwnFunction function) {
+    functions_.insert_or_assign(std::string(name), std::move(function));
+}
+
+const OwnFunction* OwnFunctions::find(std::string_view name) const {
+    const auto found = functions_.find(name);
+    return found == functions_.end() ? nullptr : &found->second;
+}
+
+NodeId OwnFunctions::call(Graph& to, const OwnFunction& function,
+                          std::span<const NodeId> arguments) const {
+    const bool is_within_body = &to == &bodies_;
+    const auto in_its_place = [&](Graph&, const Node& node, NodeId rebuilt) {
+        if (node.op != Op::input || node.index < first_argument) return rebuilt;
+        if (node.index < first_outside) return arguments[std::size_t(node.index - first_argument)];
+        return is_within_body ? rebuilt : NodeId(node.index - first_outside);
+    };
+    return substitute(to, bodies_, std::array{function.body}, in_its_place).front();
+}
+
+std::optional<int> OwnFunctions::array_of(const OwnFunction& function,
+                                          std::span<const int> arrays) const {
+    for (const NodeId id : nodes_below(bodies_, std::array{function.body})) {
+        const Node& node = bodies_[id];
+        if (is_over_elements(node.op) && std::ranges::count(arrays, node.index) > 0)
+            return node.index;
+    }
+    return std::nullopt;
+}
+
+} // namespace isomotion::formula

@@ -1,0 +1,45 @@
+// Functions that a formula defines itself: f(u, v) = u^2 + v^2;
+#pragma once
+
+#include <map>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "formula/graph/graph.h"
+
+namespace isomotion::formula {
+
+struct OwnFunction {
+    std::vector<std::string> arguments;
+    NodeId body; // in OwnFunctions::bodies()
+};
+
+// A call is the function's expression with the arguments in their places. Expressions are kept in a
+// graph of their own, where arguments, and names that were defined outside, are inputs.
+class OwnFunctions {
+public:
+    Graph& bodies() { return bodies_; }
+    // What stands in a body for its argument k, and for a node of the graph of its calls.
+    NodeId argument(std::size_t k) { return bodies_.input(first_argument + int(k)); }
+    NodeId outside(NodeId node) { return bodies_.input(first_outside + int(node)); }
+
+    void add(std::string_view name, OwnFunction function);
+    const OwnFunction* find(std::string_view name) const; // null if there is none
+
+    // The call's node. `to` may be bodies(): then what stands for nodes outside stays.
+    NodeId call(Graph& to, const OwnFunction& function, std::span<const NodeId> arguments) const;
+    // One of these arrays that the function goes through.
+    std::optional<int> array_of(const OwnFunction& function, std::span<const int> arrays) const;
+
+private:
+    // Beyond all inputs that formulas have.
+    static constexpr int first_argument = 1 << 17, first_outside = 1 << 18;
+
+    Graph bodies_;
+    std::map<std::string, OwnFunction, std::less<>> functions_;
+};
+
+} // namespace isomotion::formula
