@@ -76,20 +76,6 @@ void keep_needed(std::span<const TapeStep> steps, std::span<const int> outputs,
 
 bool is_extreme(const TapeStep& step) { return step.op == Op::min || step.op == Op::max; }
 
-// Whether outputs that are no slopes need the steps.
-std::vector<bool> steps_of_values(const Tape& tape, const std::vector<bool>& is_slope) {
-    std::vector<bool> for_values(tape.steps.size(), false);
-    for (std::size_t o = 0; o < tape.outputs.size(); ++o) {
-        if (!is_slope[o]) for_values[std::size_t(tape.outputs[o])] = true;
-    }
-    for (std::size_t k = tape.steps.size(); k-- > 0;) {
-        const TapeStep& step = tape.steps[k];
-        for (std::size_t o = 0; for_values[k] && o < step.arity; ++o)
-            for_values[std::size_t(step.operands[o])] = true;
-    }
-    return for_values;
-}
-
 // Tells selects that are slopes of a min or max which one that is. Only slopes of F may need them.
 void link_slopes(Tape& tape, const std::vector<bool>& for_values) {
     std::map<std::tuple<Op, int, int>, int> extremes; // by what they compare
@@ -342,9 +328,8 @@ std::optional<Tape> tape_of(std::span<const TapeSource> sources) {
         for (int o = 0; o < int(program.outputs.size()); ++o)
             is_slope.push_back(o >= values && o < values + slopes);
     }
-    const std::vector<bool> for_values = steps_of_values(tape, is_slope);
-    link_slopes(tape, for_values);
-    return with_slopes_next_to_values(tape, for_values);
+    link_slopes(tape, steps_of_values(tape, is_slope));
+    return in_short_order(tape, is_slope);
 }
 
 Tape with_parameters(Tape tape, std::span<const Interval> parameters) {

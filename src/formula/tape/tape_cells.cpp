@@ -9,6 +9,7 @@
 
 #include "base/workers.h"
 #include "formula/graph/functions.h"
+#include "formula/tape/tape_order.h"
 
 namespace isomotion::formula {
 namespace {
@@ -22,6 +23,15 @@ constexpr std::size_t short_enough = 24;
 constexpr double shorter = 0.6;
 // The part of a cell that its tape holds around it: as in shaders/tape/cells.glsl.
 constexpr double around_for_points = 0.0625, around_for_boxes = 0.25;
+
+// The function's part of a tape of all.
+Tape tape_of(const TapeFunctions::Function& function, const Tape& all) {
+    Tape own = part_of(all, function.first_output, function.outputs);
+    if (!function.has_own_order) return own;
+    std::vector<bool> is_slope(std::size_t(function.outputs), false);
+    std::fill_n(is_slope.begin() + function.values, function.slopes, true);
+    return in_short_order(own, is_slope);
+}
 
 bool decides(const TapeStep& step) {
     return has_steps(step.op) || step.op == Op::abs || step.op == Op::min || step.op == Op::max ||
@@ -88,8 +98,7 @@ public:
             const TapeFunctions::Function& of = functions_[k];
             if (!are_run_[k]) continue;
             if (double(tape.steps.size()) > shorter * double(longer[k].steps)) continue;
-            const auto made = words_of(part_of(tape, of.first_output, of.outputs), of.operations,
-                                       of.inputs, of.registers);
+            const auto made = words_of(tape_of(of, tape), of.operations, of.inputs, of.registers);
             if (!made || words.size() + made->words.size() > room) continue;
             spans[k] = {owner_, std::uint32_t(words.size() / 2),
                         std::uint32_t(made->words.size() / 2), tape.steps.size()};
@@ -334,7 +343,13 @@ std::optional<TapeFunctions> TapeFunctions::of(const std::vector<TapeRequest>& r
         function.values = request.values;
         function.slopes = request.slopes;
         function.inputs = inputs_of(tape);
-        const auto words = words_of(tape, function.operations, function.inputs);
+        auto words = words_of(tape, function.operations, function.inputs);
+        // An order for all functions may keep much that one of them needs late.
+        constexpr int many = 256;
+        if (!words || words->registers > many) {
+            function.has_own_order = true;
+            words = words_of(tape_of(function, whole), function.operations, function.inputs);
+        }
         if (!words || !function.operations.have_codes()) return {};
         // Parameters that no literal encloses are loaded.
         constexpr unsigned loaded = 2;

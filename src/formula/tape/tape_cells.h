@@ -36,6 +36,7 @@ public:
         int inputs = 0;             // 3, or 6 with a direction behind them
         int registers = 0;          // a power of two
         int turns = 0;              // of the whole tape
+        bool has_own_order = false; // its steps are put into another order than that of all
     };
     const Function& operator[](std::size_t k) const { return functions_[k]; }
     std::size_t size() const { return functions_.size(); }

@@ -24,11 +24,57 @@ std::vector<int> values_kept(std::span<const TapeStep> steps) {
     return kept;
 }
 
+bool is_leaf(const TapeStep& step) { return step.arity == 0; }
+
+// The steps that use each step, and how many of them have no place yet.
+class Uses {
+public:
+    explicit Uses(const Tape& tape)
+        : first_(tape.steps.size() + 1, 0) {
+        for_each_use(tape, [&](int of, int) { ++first_[std::size_t(of) + 1]; });
+        for (std::size_t k = 1; k < first_.size(); ++k) first_[k] += first_[k - 1];
+        by_.resize(std::size_t(first_.back()));
+        std::vector<int> next(first_.begin(), first_.end() - 1);
+        for_each_use(tape, [&](int of, int by) { by_[std::size_t(next[std::size_t(of)]++)] = by; });
+        for (std::size_t k = 0; k + 1 < first_.size(); ++k)
+            waiting_.push_back(first_[k + 1] - first_[k]);
+    }
+
+    std::span<const int> of(int step) const {
+        const auto k = std::size_t(step);
+        return std::span(by_).subspan(std::size_t(first_[k]), std::size_t(waits_at_first(k)));
+    }
+    int waiting(int step) const { return waiting_[std::size_t(step)]; }
+    void has_place(const TapeStep& step) {
+        for (std::size_t o = 0; o < step.arity; ++o) --waiting_[std::size_t(step.operands[o])];
+    }
+
+private:
+    template<class Use> static void for_each_use(const Tape& tape, const Use& use) {
+        for (std::size_t k = 0; k < tape.steps.size(); ++k) {
+            const TapeStep& step = tape.steps[k];
+            for (std::size_t o = 0; o < step.arity; ++o) use(step.operands[o], int(k));
+        }
+    }
+    int waits_at_first(std::size_t k) const { return first_[k + 1] - first_[k]; }
+
+    std::vector<int> first_, by_, waiting_;
+};
+
+enum class Haste {
+    none,
+    // What can be computed is, at once, where it takes the place of an operand: the sum of terms
+    // that a slope needs, too, before all of them are there.
+    where_it_frees,
+};
+
 // Puts a tape's steps in another order.
 class Order {
 public:
-    explicit Order(const Tape& tape)
+    Order(const Tape& tape, Haste haste)
         : tape_(tape)
+        , haste_(haste)
+        , uses_(tape)
         , kept_(values_kept(tape.steps))
         , place_(tape.steps.size(), -1) {
         ordered_.steps.reserve(tape.steps.size());
@@ -54,11 +100,7 @@ public:
             } else if (step.follows >= 0 && !has(step.follows)) {
                 open.push_back({step.follows, 0});
             } else {
-                place_[std::size_t(at)] = int(ordered_.steps.size());
-                TapeStep& copy = ordered_.steps.emplace_back(step);
-                for (std::size_t o = 0; o < step.arity; ++o)
-                    copy.operands[o] = place(step.operands[o]);
-                if (step.follows >= 0) copy.follows = place(step.follows);
+                put(std::exchange(at, -1));
                 open.pop_back();
             }
         }
@@ -73,6 +115,44 @@ public:
     }
 
 private:
+    void put(int wanted) {
+        std::vector<int> fresh{wanted};
+        while (!fresh.empty()) {
+            const int at = fresh.back();
+            fresh.pop_back();
+            if (has(at)) continue;
+            const TapeStep& step = tape_.steps[std::size_t(at)];
+            place_[std::size_t(at)] = int(ordered_.steps.size());
+            TapeStep& copy = ordered_.steps.emplace_back(step);
+            for (std::size_t o = 0; o < step.arity; ++o) copy.operands[o] = place(step.operands[o]);
+            if (step.follows >= 0) copy.follows = place(step.follows);
+            uses_.has_place(step);
+            if (haste_ == Haste::none || is_leaf(step)) continue;
+            const auto hasten_uses = [&](int of) {
+                for (const int use : uses_.of(of)) {
+                    if (!has(use) && is_ready(use)) fresh.push_back(use);
+                }
+            };
+            for (std::size_t o = 0; o < step.arity; ++o) {
+                if (uses_.waiting(step.operands[o]) == 1) hasten_uses(step.operands[o]);
+            }
+            hasten_uses(at);
+        }
+    }
+
+    // Whether all operands are there, and one of them is needed for nothing else.
+    bool is_ready(int at) const {
+        const TapeStep& step = tape_.steps[std::size_t(at)];
+        if (step.follows >= 0 && !has(step.follows)) return false;
+        bool frees = false;
+        for (std::size_t o = 0; o < step.arity; ++o) {
+            const int of = step.operands[o];
+            if (!has(of)) return false;
+            frees = frees || (uses_.waiting(of) == 1 && !is_leaf(tape_.steps[std::size_t(of)]));
+        }
+        return frees;
+    }
+
     // The operand to be looked at as number `next`.
     int operand(const TapeStep& step, std::size_t next) const {
         constexpr std::array<std::size_t, 4> of_select{2, 0, 3, 1}; // a slope asks for its values
@@ -85,6 +165,8 @@ private:
     }
 
     const Tape& tape_;
+    const Haste haste_;
+    Uses uses_;
     std::vector<int> kept_, place_;
     Tape ordered_;
 };
@@ -112,8 +194,8 @@ int most_kept(const Tape& tape) {
 }
 
 // The last output first, as it is a slope of the first, and values where slopes ask for them.
-Tape values_in_slopes(const Tape& tape) {
-    Order order(tape);
+Tape values_in_slopes(const Tape& tape, Haste haste) {
+    Order order(tape, haste);
     for (auto output = tape.outputs.rbegin(); output != tape.outputs.rend(); ++output)
         order.add(*output);
     return order.take();
@@ -122,8 +204,8 @@ Tape values_in_slopes(const Tape& tape) {
 // Each value's slope as soon as the values that it needs are there, as in forward differentiation.
 // A product of long sums needs their values and their slopes; one after the other would keep a
 // value for each term.
-Tape slopes_behind_values(const Tape& tape, const std::vector<bool>& for_values) {
-    Order values(tape);
+Tape slopes_behind_values(const Tape& tape, const std::vector<bool>& for_values, Haste haste) {
+    Order values(tape, Haste::none);
     for (const int output : tape.outputs) {
         if (for_values[std::size_t(output)]) values.add(output);
     }
@@ -153,7 +235,7 @@ Tape slopes_behind_values(const Tape& tape, const std::vector<bool>& for_values)
         if (!for_values[k] && needs[k] >= 0 && !is_needed_at_once[k])
             slopes[std::size_t(needs[k])].push_back(int(k));
     }
-    Order order(tape);
+    Order order(tape, haste);
     for (std::size_t at = 0; at < value_at.size(); ++at) {
         order.add(value_at[at]);
         for (const int slope : slopes[at]) order.add(slope);
@@ -161,8 +243,6 @@ Tape slopes_behind_values(const Tape& tape, const std::vector<bool>& for_values)
     for (const int output : tape.outputs) order.add(output);
     return order.take();
 }
-
-bool is_leaf(const TapeStep& step) { return step.arity == 0; }
 
 // For each step, how many steps compute it from leaves, if these are few and quick; else 0.
 std::vector<int> steps_from_leaves(const Tape& tape) {
@@ -217,11 +297,37 @@ Tape with_cheap_steps_repeated(const Tape& tape) {
 
 } // namespace
 
-Tape with_slopes_next_to_values(const Tape& tape, const std::vector<bool>& for_values) {
-    Tape one = values_in_slopes(tape), other = slopes_behind_values(tape, for_values);
-    Tape& better = most_kept(one) <= most_kept(other) ? one : other;
+std::vector<bool> steps_of_values(const Tape& tape, const std::vector<bool>& is_slope) {
+    std::vector<bool> for_values(tape.steps.size(), false);
+    for (std::size_t o = 0; o < tape.outputs.size(); ++o) {
+        if (!is_slope[o]) for_values[std::size_t(tape.outputs[o])] = true;
+    }
+    for (std::size_t k = tape.steps.size(); k-- > 0;) {
+        const TapeStep& step = tape.steps[k];
+        for (std::size_t o = 0; for_values[k] && o < step.arity; ++o)
+            for_values[std::size_t(step.operands[o])] = true;
+    }
+    return for_values;
+}
+
+Tape in_short_order(const Tape& tape, const std::vector<bool>& is_slope) {
+    const std::vector<bool> for_values = steps_of_values(tape, is_slope);
+    constexpr int few = 32; // values that another order need not keep fewer than
+    Tape best = values_in_slopes(tape, Haste::none);
+    int least = most_kept(best);
+    for (const auto& [haste, is_forward] : {std::pair(Haste::none, true),
+                                            {Haste::where_it_frees, false},
+                                            {Haste::where_it_frees, true}}) {
+        if (least <= few) break;
+        Tape other = is_forward ? slopes_behind_values(tape, for_values, haste)
+                                : values_in_slopes(tape, haste);
+        const int most = most_kept(other);
+        if (most >= least) continue;
+        least = most;
+        best = std::move(other);
+    }
     constexpr int many = 500;
-    return most_kept(better) > many ? with_cheap_steps_repeated(better) : std::move(better);
+    return least > many ? with_cheap_steps_repeated(best) : best;
 }
 
 } // namespace isomotion::formula

@@ -7,8 +7,11 @@
 
 namespace isomotion::formula {
 
+// The steps that outputs need which are no slopes. `is_slope`: of each output.
+std::vector<bool> steps_of_values(const Tape& tape, const std::vector<bool>& is_slope);
+
 // The same function with its steps in an order that keeps few values at a time. Where that keeps
-// many, cheap steps are repeated. `for_values`: the steps that outputs need which are no slopes.
-Tape with_slopes_next_to_values(const Tape& tape, const std::vector<bool>& for_values);
+// many, cheap steps are repeated.
+Tape in_short_order(const Tape& tape, const std::vector<bool>& is_slope);
 
 } // namespace isomotion::formula
