@@ -208,7 +208,8 @@ void print_surface(const scene::OneSurface& one, const shader::Passes& passes,
 void expect_map(const scene::Scene& scene) {
     if (!scene.environment) return;
     const image::EnvironmentSink nothing{[](int, int) {}, [](int, std::span<const float>) {}};
-    image::read_environment(scene.environment->map, nothing, scene.environment->within);
+    image::read_environment(scene.environment->map, nothing, scene.environment->within,
+                            scene.environment->stated_at);
 }
 
 int show(const ShowArguments& arguments) {

@@ -1,5 +1,7 @@
 #include "base/printable_message.h"
 
+#include <algorithm>
+
 #include "base/printable.h"
 
 namespace isomotion::base {
@@ -21,6 +23,20 @@ std::size_t end_of_quoted(std::string_view line, std::size_t begin) {
     return line.npos;
 }
 
+// With each word shortened, and each part of a path: no word of ours is that long.
+std::string with_short_words(std::string_view line) {
+    constexpr std::string_view between = " /";
+    std::string result;
+    while (!line.empty()) {
+        const std::size_t word = std::min(line.find_first_of(between), line.size());
+        result += shortened(line.substr(0, word));
+        const std::size_t next = std::min(line.find_first_not_of(between, word), line.size());
+        result += line.substr(word, next - word);
+        line.remove_prefix(next);
+    }
+    return result;
+}
+
 std::string message_line(std::string_view line) {
     if (line.size() <= most_repeated) return std::string(line);
     std::string result, quotes = "'\"";
@@ -38,7 +54,7 @@ std::string message_line(std::string_view line) {
             k = end + 1;
         }
     }
-    return shortened(result, most_in_a_line);
+    return shortened(with_short_words(result), most_in_a_line);
 }
 
 } // namespace

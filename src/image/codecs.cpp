@@ -1,5 +1,7 @@
 #include "image/codecs.h"
 
+#include <fmt/format.h>
+
 #include "image/decode.h"
 #include "image/encoders.h"
 #include "image/module.h"
@@ -35,8 +37,13 @@ Frame decode(const std::filesystem::path& file) { return codecs().decode(file); 
 std::string pixel_hash(const std::filesystem::path& file) { return codecs().pixel_hash(file); }
 
 int read_environment(const std::filesystem::path& file, const EnvironmentSink& sink,
-                     const base::Confines& within) {
-    return codecs().read_environment(file, sink, within);
+                     const base::Confines& within, std::string_view stated_at) {
+    try {
+        return codecs().read_environment(file, sink, within);
+    } catch (const ImageError& error) {
+        if (stated_at.empty()) throw;
+        throw ImageError(fmt::format("{}: {}", stated_at, error.what()));
+    }
 }
 
 EnvironmentMap read_environment(const std::filesystem::path& file) {

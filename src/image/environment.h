@@ -43,11 +43,12 @@ struct EnvironmentSink {
     std::function<void(int first, std::span<const float> texels)> rows; ///< as in EnvironmentMap
 };
 
-/// Returns the number of repaired texels. Throws an InputError if the opened file lies outside its
+/// Returns the number of repaired texels. `stated_at` is where a user named the file, for messages:
+/// `scene.toml:4: environment.map`. Throws as above, and an InputError if the opened file lies outside its
 /// confines. Decodes files of floats twice, since the largest value must be known before the first
 /// row.
 int read_environment(const std::filesystem::path& file, const EnvironmentSink& sink,
-                     const base::Confines& within);
+                     const base::Confines& within, std::string_view stated_at = {});
 
 /// The message on a map with repaired texels: `environment FILE: 12 texels were ...`.
 std::string mending(const std::filesystem::path& file, int mended);

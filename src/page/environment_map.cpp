@@ -40,7 +40,7 @@ std::optional<Environment> environment(const scene::Scene& scene,
     image::EnvironmentSink sink;
     sink.begin = [&](int width, int height) { reduction.begin(width, height); };
     sink.rows = [&](int first, std::span<const float> texels) { reduction.rows(first, texels); };
-    const int mended = image::read_environment(from->map, sink, from->within);
+    const int mended = image::read_environment(from->map, sink, from->within, from->stated_at);
     if (mended > 0 && warn) warn(image::mending(from->map, mended));
     const image::EnvironmentMap map = reduction.map();
     Environment all{page_map_of(map), std::nullopt};

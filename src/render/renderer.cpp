@@ -112,7 +112,7 @@ struct Renderer::Parts {
             if (reduction) reduction->rows(first, texels);
             print.append(std::as_bytes(texels));
         };
-        const int mended = image::read_environment(from.map, sink, from.within);
+        const int mended = image::read_environment(from.map, sink, from.within, from.stated_at);
         if (mended > 0 && options.warn) options.warn(image::mending(from.map, mended));
         environment_print = print.text();
         if (!reduction) return;

@@ -201,6 +201,7 @@ inline constexpr double max_shininess = 10'000;
 struct Environment {
     std::filesystem::path map;
     base::Confines within;  // where the map must lie when it is opened
+    std::string stated_at;  // "scene.toml:4: environment.map", for messages
     TrackId rotation = 0;   // of the surroundings about the z axis, degrees
     TrackId intensity = 0;  // multiplies the map
     bool background = true; // seen behind the surface

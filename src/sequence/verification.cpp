@@ -60,7 +60,8 @@ bool has_the_pixels(const fs::path& file, const FrameRecord& record) {
 
 void look_at(int frame, const SequenceName& name, bool pixels, Verification& found) {
     const fs::path file = name.path(frame);
-    const auto record = find_record(name, frame);
+    auto record = find_record(name, frame);
+    if (record && record->fingerprint.empty()) record.reset(); // none of ours
     switch (frame_status(file, record, record ? record->fingerprint : "", ISOMOTION_VERSION)) {
     case FrameStatus::missing:
         found.missing.push_back(frame);

@@ -117,11 +117,11 @@ TEST_F(Effects, MapsThatAreNoneAreErrors) {
     words.insert(words.end(), {"-o", "frame.png"});
     const Ending broken = run(words);
     EXPECT_NE(broken.code, 0) << broken;
-    EXPECT_THAT(broken.err, HasSubstr("map.exr"));
+    EXPECT_THAT(broken.err, HasSubstr(": environment.map: "));
     EXPECT_FALSE(std::filesystem::exists(*this / "frame.png"));
     const Ending shown = run(with_scene("show", "[environment]\nmap = \"map.exr\"\n"));
     EXPECT_NE(shown.code, 0) << shown;
-    EXPECT_THAT(shown.err, HasSubstr("map.exr"));
+    EXPECT_THAT(shown.err, HasSubstr(": environment.map: "));
 }
 
 TEST_F(Effects, MistakesNameTheirKey) {

@@ -31,6 +31,7 @@ std::optional<Environment> read_environment(Section& document, TrackTable& track
         const toml::node& map = *section->find("map");
         section->attempt("map", [&] {
             environment.within = confines_of(map, within);
+            environment.stated_at = position(map) + ": environment.map";
             environment.map =
                 named_file(map, "environment.map",
                            std::array{beside(map, *name), media_file(*name)}, environment.within);

@@ -44,6 +44,15 @@ TEST(PrintableMessage, MessagesTellWhatIsWrongWhateverTheyQuote) {
         EXPECT_TRUE(message.ends_with("'; known: b, c")) << message;
         EXPECT_LT(message.size(), 300u);
     }
+    // Without quotes, as where a column or a folder is named.
+    const std::string run(5'000'000, 'n');
+    const std::string known =
+        printable_message("a.csv: column x is missing; known: " + run + ", b");
+    EXPECT_TRUE(known.ends_with("n, b")) << known;
+    EXPECT_LT(known.size(), 300u);
+    const std::string folder(150, 'f');
+    const std::string path = "/" + folder + "/" + folder + "/" + folder + "/a.toml: is missing";
+    EXPECT_EQ(printable_message(path), path) << "no part of it is long";
     // Quotes that nothing ends, in which no end may be looked for again and again.
     std::string open;
     for (int k = 0; k < 1'000'000; ++k) open += " 'k";
