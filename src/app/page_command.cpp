@@ -16,6 +16,7 @@
 #include "app/progress.h"
 #include "app/stop_on_signal.h"
 #include "base/file.h"
+#include "base/printable.h"
 #include "isomotion/isomotion.h"
 #include "page/gallery.h"
 
@@ -181,7 +182,8 @@ int write_gallery(const PageArguments& arguments) {
     write(folder / "index.html", page::gallery_index(entries, shown));
     if (!arguments.quiet)
         print_result("pages: {} and {}\n", entries.size(), (folder / "index.html").string());
-    for (const std::string& line : left_out) message("left out: {}\n", line);
+    for (const std::string& line : left_out)
+        message("left out: {}\n", base::printable_line(line));
     return exit_done;
 }
 

@@ -53,5 +53,5 @@
     ROW(max,      built_in, of_either,   finite,    kink_where_same, cut,  where_less(Op::max, a, b, db, da))                    \
     ROW(power,    kernel,   as_argument, unbounded, base_at_0,       cut,  power_slope(a, b, f, da, db))                         \
     ROW(atan2,    kernel,   as_argument, finite,    cut,             cut,  (b * da - a * db) / (a * a + b * b) + jumps(f))       \
-    ROW(angle,    kernel,   any,         finite,    axis,            cut,  (b * da - a * db) / (a * a + b * b))
+    ROW(angle,    kernel,   any,         finite,    axis,            cut,  (b * da - a * db) / (a * a + b * b) + jumps(f))
 // clang-format on
