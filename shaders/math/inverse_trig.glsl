@@ -83,8 +83,10 @@ float im_atan2(float a, float b) {
     float scale = IM_SELECT(size > most, 0.25, IM_SELECT(size < 1.0e-30, 1073741824.0, 1.0));
     precise float rise = abs(a) * scale;
     precise float run = abs(b) * scale;
-    rise = IM_SELECT(rise > most, most, rise);
-    run = IM_SELECT(run > most, most, run);
+    bool rises_without_end = rise > most;
+    bool runs_without_end = run > most;
+    rise = IM_SELECT(rises_without_end, most, IM_SELECT(runs_without_end, 0.0, rise));
+    run = IM_SELECT(runs_without_end, most, IM_SELECT(rises_without_end, 0.0, run));
     run = IM_SELECT(rise == 0.0 && run == 0.0, 1.0, run);
     precise float y = im_angle_of_quadrant(rise, run);
     precise float back = 3.14159274 - (y + 8.74227766e-8);

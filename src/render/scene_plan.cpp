@@ -74,6 +74,14 @@ double shade_iterations(const scene::OneSurface& one, const shader::Passes& pass
     return sum + colours * (curvature + loops_of_paint(*paint));
 }
 
+[[noreturn]] void fail_for_length(double turns) {
+    throw std::length_error(fmt::format(
+        "the formula is too long: its instructions take {:.0f} turns of a loop for a pixel's "
+        "normal "
+        "and colour, and a shader can take {:.0f}; name what it repeats, or sum over an array",
+        turns, loop_iterations_per_pass));
+}
+
 // The passes that don't march must fit the loop limit, too; they know no lists.
 void expect_shadeable(const scene::OneSurface& one, const shader::Passes& passes,
                       const std::vector<int>& counts) {
@@ -96,6 +104,7 @@ void expect_shadeable(const scene::OneSurface& one, const shader::Passes& passes
         }
     }
     const double sums = shade_iterations(one, passes, counts);
+    if (sums > loop_iterations_per_pass && passes.tapes) fail_for_length(sums);
     const formula::Paint* paint = shader::painting(one);
     if (sums > loop_iterations_per_pass && paint && shader::sums_all_elements(*paint, passes)) {
         throw std::length_error(

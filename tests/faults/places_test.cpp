@@ -60,7 +60,7 @@ TEST_F(Places, AnOutputsPathIsTooLong) {
         while (folder.size() < 5000) folder += name;
         const Ending ending = run(command(folder, {"--frames", "1-2"}));
         EXPECT_EQ(ending.code, 3) << ending;
-        EXPECT_THAT(ending.err, HasSubstr(name));
+        EXPECT_THAT(ending.err, HasSubstr(name.substr(0, 100))); // long names are shortened
         EXPECT_THAT(ending.err, HasSubstr("File name too long"));
         EXPECT_THAT(ending.err, Not(HasSubstr("filesystem error")));
     }

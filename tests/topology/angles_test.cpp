@@ -86,5 +86,29 @@ TEST(AnglesOfPoints, HaveEventsOnTheirCut) {
     EXPECT_FALSE(torn.is_complete());
 }
 
+// Where one argument is 0, or a part of the other, an angle jumps by half a turn at its axis,
+// though its slope along it folds to 0.
+TEST(AnglesOfPoints, JumpAtTheirAxis) {
+    const std::string ball = "{ sphere = 2 }";
+    for (const char* formula :
+         {"x^2 + y^2 + z^2 - r - 0.3*cos(atan2(0, x - 0.6))",
+          "k = 0; x^2 + y^2 + z^2 - r - 0.3*cos(atan2(k*y, x - 0.6))",
+          "x^2 + y^2 + z^2 - r - 0.3*cos(atan2(x - 0.6, x - 0.6) - atan(1))"}) {
+        const Timeline found =
+            analyse(Moving{formula, ball, "r = \"0.1 + 0.01*t\"", in_a_second}.scene());
+        SCOPED_TRACE(std::string(formula) + "\n" + described(found));
+        EXPECT_FALSE(found.is_complete());
+    }
+    const std::string turn = "(t - 0.3)*(0.3005 - t)";
+    for (const std::string& angle :
+         {"atan2(0, " + turn + ")", "atan2(" + turn + ", " + turn + ") - atan(1)"}) {
+        const std::string r = "r = \"0.5 - 0.4*cos(" + angle + ") + 0.01*t\"";
+        const Timeline found =
+            analyse(Moving{"(x^2 - 0.36)^2 + y^2 + z^2 - 0.3*r", ball, r, in_a_second}.scene());
+        SCOPED_TRACE(angle + "\n" + described(found));
+        EXPECT_FALSE(found.is_complete());
+    }
+}
+
 } // namespace
 } // namespace isomotion::topology

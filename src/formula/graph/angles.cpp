@@ -2,56 +2,112 @@
 
 #include <cmath>
 #include <limits>
+#include <map>
+#include <set>
+#include <span>
+#include <utility>
+#include <vector>
 
 namespace isomotion::formula {
 namespace {
 
-constexpr int deepest = 16; // that arguments are looked at
+constexpr std::size_t most_looked_at = 64; // nodes of an argument
+
+constexpr double not_known = std::numeric_limits<double>::quiet_NaN();
+constexpr double least_exact = 0x1p-900;
 
 double exact_product(double a, double b) {
     const double product = a * b;
-    return std::fma(a, b, -product) == 0 ? product : std::numeric_limits<double>::quiet_NaN();
+    const bool is_exact = std::abs(product) > least_exact && std::fma(a, b, -product) == 0;
+    return is_exact ? product : not_known;
 }
 double exact_quotient(double a, double b) {
     const double quotient = a / b;
-    return std::fma(quotient, b, -a) == 0 ? quotient : std::numeric_limits<double>::quiet_NaN();
+    const bool is_exact = std::abs(a) > least_exact && std::abs(quotient) > least_exact &&
+                          std::fma(quotient, b, -a) == 0;
+    return is_exact ? quotient : not_known;
 }
 
-// `periods`: by how many periods of the wave its argument changes where this node changes by a
-// turn.
-NodeId without_cuts(Graph& g, NodeId id, double periods, int depth) {
-    if (depth == 0) return id;
-    const Node node = g[id]; // a copy: the graph grows
-    const auto [a, b, c, d] = node.children;
-    const auto of = [&](NodeId child, double its) {
-        return without_cuts(g, child, its, depth - 1);
-    };
+// What a node is a sum of, with constant factors.
+std::span<const NodeId> summands(const Graph& g, const Node& node) {
+    const std::span<const NodeId> all = std::span(node.children).first(node.arity);
     switch (node.op) {
-    case Op::atan2:
-        return periods == std::floor(periods) ? g.binary(Op::angle, a, b) : id;
-    case Op::negate: {
-        const NodeId now = of(a, periods);
-        return now == a ? id : g.unary(Op::negate, now);
-    }
+    case Op::negate:
     case Op::add:
-    case Op::subtract: {
-        const NodeId left = of(a, periods), right = of(b, periods);
-        return left == a && right == b ? id : g.binary(node.op, left, right);
-    }
-    case Op::multiply: { // a constant comes first
-        if (!g.is_constant(a)) return id;
-        const NodeId now = of(b, exact_product(periods, g[a].value));
-        return now == b ? id : g.multiply(a, now);
-    }
-    case Op::divide: {
-        if (!g.is_constant(b)) return id;
-        const NodeId now = of(a, exact_quotient(periods, g[b].value));
-        return now == a ? id : g.divide(now, b);
-    }
+    case Op::subtract:
+        return all;
+    case Op::multiply: // a constant comes first
+        return g.is_constant(all[0]) ? all.subspan(1) : all.first(0);
+    case Op::divide:
+        return g.is_constant(all[1]) ? all.first(1) : all.first(0);
     default:
-        return id;
+        return all.first(0);
     }
 }
+
+// Whether an atan2 is among the summands; false, too, where there are very many.
+bool has_cut(const Graph& g, NodeId argument) {
+    std::set<NodeId> seen{argument};
+    std::vector<NodeId> open{argument};
+    bool found = false;
+    while (!open.empty()) {
+        const Node& node = g[open.back()];
+        open.pop_back();
+        found = found || node.op == Op::atan2;
+        for (const NodeId one : summands(g, node)) {
+            if (seen.insert(one).second) open.push_back(one);
+        }
+        if (seen.size() > most_looked_at) return false;
+    }
+    return found;
+}
+
+class WithoutCuts {
+public:
+    explicit WithoutCuts(Graph& g)
+        : g_(g) {}
+
+    // `periods`: by how many periods of the wave its argument changes where this node changes by a
+    // turn.
+    NodeId of(NodeId id, double periods) {
+        if (std::isnan(periods)) return id;
+        if (const auto known = known_.find({id, periods}); known != known_.end())
+            return known->second;
+        const NodeId made = make(id, periods);
+        known_[{id, periods}] = made;
+        return made;
+    }
+
+private:
+    NodeId make(NodeId id, double periods) {
+        const Node node = g_[id]; // a copy: the graph grows
+        const auto [a, b, c, d] = node.children;
+        if (node.op == Op::atan2)
+            return periods == std::floor(periods) ? g_.binary(Op::angle, a, b) : id;
+        if (summands(g_, node).empty()) return id;
+        switch (node.op) {
+        case Op::negate: {
+            const NodeId now = of(a, periods);
+            return now == a ? id : g_.unary(Op::negate, now);
+        }
+        case Op::multiply: {
+            const NodeId now = of(b, exact_product(periods, g_[a].value));
+            return now == b ? id : g_.multiply(a, now);
+        }
+        case Op::divide: {
+            const NodeId now = of(a, exact_quotient(periods, g_[b].value));
+            return now == a ? id : g_.divide(now, b);
+        }
+        default: {
+            const NodeId left = of(a, periods), right = of(b, periods);
+            return left == a && right == b ? id : g_.binary(node.op, left, right);
+        }
+        }
+    }
+
+    Graph& g_;
+    std::map<std::pair<NodeId, double>, NodeId> known_;
+};
 
 bool is_square_of(const Graph& g, NodeId square, NodeId of) {
     const Node& node = g[square];
@@ -70,7 +126,8 @@ bool is_distance(const Graph& g, NodeId root, NodeId a, NodeId b) {
 } // namespace
 
 NodeId without_cuts(Graph& g, Op wave, NodeId argument) {
-    return without_cuts(g, argument, wave == Op::tan ? 2 : 1, deepest);
+    if (!has_cut(g, argument)) return argument;
+    return WithoutCuts(g).of(argument, wave == Op::tan ? 2 : 1);
 }
 
 std::optional<NodeId> half_angle(Graph& g, NodeId quotient) {

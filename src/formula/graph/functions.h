@@ -100,7 +100,7 @@ const Traits* unary_traits(Op op); // null, too, for those of two arguments
 Breaks breaks(Op op);
 // Whether the operation jumps from value to value: functions with steps, and random.
 bool has_steps(Op op);
-// Whether it jumps anywhere: atan2, too.
+// Whether it jumps on both sides of a surface: these, and atan2 at its cut.
 bool may_jump(Op op);
 
 // The kernel im_<name> that an operation calls in shaders; empty if it needs none.

@@ -13,6 +13,8 @@ inline constexpr std::size_t name_bytes = 64;         // of a parameter, array, 
 // Depth of parentheses, calls, signs and powers; the parser recurses for each. An open parenthesis
 // counts twice, as an expression and as a factor.
 inline constexpr int nesting = 400;
+inline constexpr std::size_t function_arguments = 32; // of a formula's own function
+inline constexpr std::size_t calls_work = 50'000'000; // operations that its calls look at
 inline constexpr std::size_t formula_nodes = 100'000; // of the graph as read from the text
 // Nodes of one graph with all its derivatives. A formula within the other limits may exceed this
 // one, as do second derivatives of high Chebyshev polynomials.

@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
+#include "formula/graph/operations.h"
 #include "formula/graph/substitute.h"
 
 namespace isomotion::formula {
@@ -35,6 +37,17 @@ std::optional<int> OwnFunctions::array_of(const OwnFunction& function,
             return node.index;
     }
     return std::nullopt;
+}
+
+bool has_undefined_constant(const Graph& graph, std::size_t first) {
+    for (NodeId id = NodeId(first); id < graph.size(); ++id) {
+        const Node& node = graph[id];
+        const bool has_value =
+            node.op != Op::constant || std::abs(node.value) < Operations<double>::saturation();
+        const bool divides_by_0 = node.op == Op::divide && graph.is_constant(node.children[1], 0);
+        if (!has_value || divides_by_0) return true;
+    }
+    return false;
 }
 
 } // namespace isomotion::formula

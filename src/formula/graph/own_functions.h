@@ -31,6 +31,10 @@ public:
 
     // The call's node. `to` may be bodies(): then what stands for nodes outside stays.
     NodeId call(Graph& to, const OwnFunction& function, std::span<const NodeId> arguments) const;
+    // What a call looks at, as a measure of its work.
+    std::size_t work_of(const OwnFunction& function) const {
+        return std::size_t(function.body) + 1;
+    }
     // One of these arrays that the function goes through.
     std::optional<int> array_of(const OwnFunction& function, std::span<const int> arrays) const;
 
@@ -41,5 +45,9 @@ private:
     Graph bodies_;
     std::map<std::string, OwnFunction, std::less<>> functions_;
 };
+
+// Whether a node from `first` on is a constant without a value: no number, cut off, or 1/0. What a
+// call makes of constants can't be told where its function is defined.
+bool has_undefined_constant(const Graph& graph, std::size_t first);
 
 } // namespace isomotion::formula

@@ -17,6 +17,7 @@
 #include "formula/graph/functions.h"
 #include "formula/graph/limits.h"
 #include "formula/graph/own_functions.h"
+#include "formula/graph/parse_hints.h"
 #include "formula/graph/substitute.h"
 #include "formula/graph/text_cursor.h"
 #include "formula/graph/utf8.h"
@@ -86,6 +87,7 @@ private:
         if (arguments) {
             define_function(word, *arguments, begin);
         } else {
+            if (own().find(word)) fail(begin, fmt::format("'{}' is a function already", word));
             definitions_[std::string(word)] = expression();
         }
         skip_space();
@@ -122,10 +124,12 @@ private:
     // Coordinates and parameters may be names of arguments: those are hidden within the function.
     void define_function(std::string_view name, const std::vector<std::string>& arguments,
                          std::size_t begin) {
-        if (names_.parameter(name) || definitions_.contains(name))
-            fail(begin, fmt::format("'{}' already has a value", name));
-        for (std::size_t k = 0; k < arguments.size(); ++k) {
-            const std::string& argument = arguments[k];
+        check_function_name(name, begin);
+        if (arguments.size() > limits::function_arguments) {
+            fail(begin, fmt::format("'{}' has {} arguments; at most {} are read", name,
+                                    arguments.size(), limits::function_arguments));
+        }
+        for (const std::string& argument : arguments) {
             if (argument == "pi" || is_function_name(argument))
                 fail(begin, fmt::format("'{}' already has a meaning", argument));
             if (std::count(arguments.begin(), arguments.end(), argument) > 1)
@@ -141,7 +145,17 @@ private:
         own().add(name, {arguments, root});
     }
 
+    // A call must not be read as a product with a value of that name.
+    void check_function_name(std::string_view name, std::size_t place) const {
+        bool has_value = names_.parameter(name) || names_.input(name) || defined(name);
+        for (const ArrayName& array : vocabulary_.arrays)
+            has_value = has_value || std::ranges::count(array.fields, name, &FieldName::name) > 0;
+        if (has_value) fail(place, fmt::format("'{}' already has a value", name));
+        if (plain_name(name) != name) fail(place, fmt::format("'{}' already has a meaning", name));
+    }
+
     OwnFunctions& own() { return outer_ ? outer_->own() : own_functions_; }
+    std::size_t& work() { return outer_ ? outer_->work() : work_; }
 
     NodeId call_own(const OwnFunction& function, std::string_view name, std::size_t begin) {
         const std::vector<NodeId> arguments = argument_list();
@@ -156,14 +170,18 @@ private:
             fail(begin, fmt::format("'{}' goes through '{}', and is called where that is done",
                                     name, vocabulary_.arrays[std::size_t(*array)].name));
         }
+        work() += own().work_of(function);
+        if (work() > limits::calls_work) fail(begin, "the formula calls large functions too often");
+        const std::size_t first = graph_.size();
         const NodeId value = own().call(graph_, function, arguments);
-        for (const NodeId id : nodes_below(graph_, std::array{value})) {
-            const Node& node = graph_[id];
-            if (node.op == Op::constant && !std::isfinite(node.value))
-                fail(begin, fmt::format("{} is not defined here", name));
-        }
+        check_constants(first, name, begin);
         check_size();
         return value;
+    }
+
+    void check_constants(std::size_t first, std::string_view name, std::size_t place) const {
+        if (has_undefined_constant(graph_, first))
+            fail(place, fmt::format("{} is not defined here", name));
     }
 
     void check_size() const {
@@ -336,8 +354,11 @@ private:
         if (argument != arguments_.end())
             return own().argument(std::size_t(argument - arguments_.begin()));
         if (const auto it = definitions_.find(word); it != definitions_.end()) return it->second;
-        if (const auto value = outer_ ? outer_->defined(word) : std::nullopt)
-            return own().outside(*value);
+        if (const auto value = outer_ ? outer_->defined(word) : std::nullopt) {
+            const Node& node = outer_->graph_[*value];
+            return node.op == Op::constant ? graph_.constant(node.value) : own().outside(*value);
+        }
+        if (own().find(word)) return std::nullopt;
         if (const auto k = names_.input(word)) return graph_.input(*k);
         if (const auto k = names_.parameter(word)) return graph_.parameter(*k);
         if (word == "pi") return graph_.constant(std::numbers::pi);
@@ -353,7 +374,9 @@ private:
 
     NodeId call(std::string_view called, std::size_t begin) {
         const int outside = std::exchange(open_bars_, 0);
-        const NodeId value = called_by(plain_name(called), begin);
+        const OwnFunction* function = own().find(called);
+        const NodeId value =
+            function ? call_own(*function, called, begin) : called_by(plain_name(called), begin);
         open_bars_ = outside;
         return value;
     }
@@ -372,14 +395,13 @@ private:
     }
 
     NodeId called_by(std::string_view name, std::size_t begin) {
+        if (name == function_) fail(begin, fmt::format("'{}' calls itself", name));
         if (name == "arg" || name == "if") {
             fail(begin,
                  fmt::format("there is no function '{}': write {}", name,
                              name == "if" ? "min, max, abs or sign for if, which jumps"
                                           : "atan2(y, x) for the angle of the point (x, y)"));
         }
-        if (name == function_) fail(begin, fmt::format("'{}' calls itself", name));
-        if (const OwnFunction* function = own().find(name)) return call_own(*function, name, begin);
         if (name == "sum" || name == "least" || name == "greatest")
             return over_elements(name, begin);
         if (name == "chebyshev") return chebyshev();
@@ -402,7 +424,10 @@ private:
             !function->has_value(graph_[arguments[0]].value)) {
             fail(first_argument, undefined);
         }
-        return checked(function->call(graph_, arguments), first_argument, undefined);
+        const std::size_t first = graph_.size();
+        const NodeId value = checked(function->call(graph_, arguments), first_argument, undefined);
+        if (!is_function_name(name)) check_constants(first, name, first_argument);
+        return value;
     }
 
     void need_arguments(const Function& function, std::size_t given, std::size_t begin) const {
@@ -522,19 +547,6 @@ private:
                              : fmt::format("{} needs parentheses: write '{}'", name, call));
     }
 
-    // "x*y" for "xy", where x and y are known; else empty.
-    static std::string as_product(std::string_view word, const std::vector<std::string>& known) {
-        constexpr std::size_t longest = 4;
-        std::string product;
-        for (const char c : word) {
-            const std::string letter(1, c);
-            const bool is_again = product.find(c) != product.npos;
-            if (is_again || std::ranges::count(known, letter) == 0) return "";
-            product += (product.empty() ? "" : "*") + letter;
-        }
-        return word.size() > 1 && word.size() <= longest ? product : "";
-    }
-
     [[noreturn]] void fail_unknown(std::string_view word, std::size_t begin) const {
         std::vector<std::string> known = vocabulary_.inputs;
         // "camera.fov" is a parameter to the animation but no name in a formula.
@@ -556,17 +568,7 @@ private:
                 }
             }
         }
-        const std::string near = base::nearest_name(word, known);
-        const std::string product = as_product(word, known);
-        const std::string hint = !product.empty()
-                                     ? fmt::format("; a product is written '{}'", product)
-                                 : word == "t" ? "; time moves parameters: name one here, as T, "
-                                                 "and write T = \"t\" under [parameters]"
-                                 : word == "theta" ? "; write atan2(y, x) for an angle about the z "
-                                                     "axis"
-                                 : near.empty()    ? fmt::format("; known: {}", join(known))
-                                                   : fmt::format("; did you mean '{}'?", near);
-        fail(begin, fmt::format("unknown name '{}'{}", word, hint));
+        fail(begin, fmt::format("unknown name '{}'{}", word, hint_for_unknown(word, known)));
     }
 
     [[noreturn]] void fail_unexpected() const {
@@ -589,11 +591,7 @@ private:
         std::size_t length = 1; // a whole UTF-8 character
         while (at_ + length < text_.size() && continues_character(text_[at_ + length])) ++length;
         const std::string_view sign = text_.substr(at_, length);
-        const bool compares = sign == "<" || sign == ">" || sign == "≤" || sign == "≥";
-        const char* instead = compares      ? ": a surface is where both sides are equal: write '='"
-                              : sign == "%" ? ": write mod(a, b) for the rest of a/b"
-                                            : "";
-        fail(at_, fmt::format("unexpected '{}'{}", sign, instead));
+        fail(at_, fmt::format("unexpected '{}'{}", sign, hint_for_sign(sign)));
     }
 
     [[noreturn]] void fail(std::size_t offset, const std::string& message) const {
@@ -632,6 +630,7 @@ private:
     std::vector<OpenLoop> open_arrays_; // arrays being gone through
     std::map<std::string, NodeId, std::less<>> definitions_;
     OwnFunctions own_functions_;
+    std::size_t work_ = 0; // of calls of these
     // Of the parser of a function's body.
     Parser* outer_ = nullptr;
     std::string_view function_;

@@ -37,6 +37,8 @@ NodeId place_of(Graph& g, NodeId id) {
         return g.subtract(a, b);
     case Op::atan2:
         return g.select(b, g.constant(0), a, g.constant(1));
+    case Op::angle: // at its axis, which is a surface where a is 0 throughout
+        return g.add(g.unary(Op::abs, a), g.unary(Op::abs, b));
     case Op::divide:
         return b;
     case Op::power:

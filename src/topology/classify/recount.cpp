@@ -33,7 +33,8 @@ std::vector<double> times_in(formula::Interval span, std::size_t count) {
     for (std::size_t k = 0; k < count; ++k) {
         const double part = (double(k) + 0.5) / double(count);
         const double time = span.lo + part * (span.hi - span.lo);
-        if (span.lo < time && time < span.hi) times.push_back(time);
+        const bool is_new = times.empty() || times.back() < time; // spans may have few doubles
+        if (span.lo < time && time < span.hi && is_new) times.push_back(time);
     }
     return times;
 }
@@ -92,9 +93,10 @@ Recount recount(const Timeline& timeline, const Recounting& how) {
     });
     // One doubted moment of each span, so that a few spans do not take all proofs.
     std::vector<const Moment*> doubted;
-    std::vector<bool> agrees(spans.size(), false);
+    std::vector<int> agreeing(spans.size(), 0), differing(spans.size(), 0);
     for (const Moment& moment : moments) {
-        if (moment.answer == Answer::agrees) agrees[moment.span] = true;
+        agreeing[moment.span] += moment.answer == Answer::agrees;
+        differing[moment.span] += moment.answer == Answer::differs;
         const bool is_first = doubted.empty() || doubted.back()->span != moment.span;
         if (moment.answer == Answer::differs && is_first && doubted.size() < most_proofs)
             doubted.push_back(&moment);
@@ -113,9 +115,13 @@ Recount recount(const Timeline& timeline, const Recounting& how) {
                                     in_words(span.solid), span.time.lo, span.time.hi,
                                     doubted[d]->time, in_words(*proof)));
         }
-        agrees[doubted[d]->span] = true;
+        // Grids are too coarse for this span.
+        agreeing[doubted[d]->span] = 1;
+        differing[doubted[d]->span] = 0;
     }
-    return {all_spans, int(std::ranges::count(agrees, true))};
+    int agree = 0;
+    for (std::size_t k = 0; k < spans.size(); ++k) agree += agreeing[k] > 0 && differing[k] == 0;
+    return {all_spans, agree};
 }
 
 } // namespace isomotion::topology

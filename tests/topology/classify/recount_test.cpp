@@ -73,6 +73,16 @@ TEST(Recount, LooksBesideTheMiddle) {
     EXPECT_THROW(recount(still, how), Error);
 }
 
+// A time at which all grids tell something else is no agreement, unless it is proved.
+TEST(Recount, DoesNotAgreeWhereATimeIsDoubted) {
+    const Recounting how{.signs =
+                             [](double time, int) {
+                                 return time > 0.3 && time < 0.4 ? Betti{5, 0, 0} : *truth(time);
+                             },
+                         .frame = [](double) { return std::optional<Betti>(); }};
+    EXPECT_EQ(recount(closes, how), (Recount{3, 2}));
+}
+
 // All grids may be too coarse in the same way.
 TEST(Recount, BelievesProofsMoreThanGrids) {
     const Recounting how{.signs = [](double, int) { return Betti{7, 0, 0}; }, .frame = truth};

@@ -45,6 +45,30 @@ TEST(Angles, OfWholePeriodsHaveNoCut) {
     }
 }
 
+// However many terms are beside it, or in whatever order.
+TEST(Angles, AreFoundInLongSums) {
+    std::string before = "cos(", behind = "cos(2*atan2(y, x)";
+    for (int k = 0; k < 20; ++k) {
+        before += fmt::format("sin({}*z) + ", k + 2);
+        behind += fmt::format(" + sin({}*z)", k + 2);
+    }
+    EXPECT_FALSE(has(before + "2*atan2(y, x))", Op::atan2));
+    EXPECT_FALSE(has(behind + ")", Op::atan2));
+}
+
+// Where an angle is between 0 and a number, its axis is a wall.
+TEST(Angles, JumpAtTheirAxisWhateverTheirSlopesFoldTo) {
+    for (const char* wave : {"cos(atan2(0, x)) + 0*z", "cos(atan2(x, x)) + 0*z",
+                             "cos(atan2(0*y, x)) + 0*z", "tan(atan2(0, x)/2 + 1) + 0*z"}) {
+        const Field field = make_field(wave, {});
+        const EnclosurePrograms& programs = enclosure_programs(field);
+        Evaluator<Interval> gradient(programs.gradient);
+        std::array<Interval, 3> slopes;
+        gradient.point({}, std::array{Interval(-1, 1), Interval(0.5, 1), Interval(0.0)}, slopes);
+        EXPECT_EQ(slopes[0], Interval::entire()) << wave;
+    }
+}
+
 TEST(Angles, OfHalfTheTangentAreFound) {
     for (const char* half : {"atan(y/(sqrt(x^2 + y^2) + x))", "2*atan(y/(x + sqrt(y^2 + x^2)))",
                              "atan((x - 1)/(sqrt((x - 1)^2 + z^2) + z))"})

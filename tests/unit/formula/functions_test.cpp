@@ -45,6 +45,7 @@ TEST(Functions, TakeAsManyArgumentsAsTheyHave) {
     all.insert(all.end(), composed_functions().begin(), composed_functions().end());
     for (const Function& function : all) {
         if (!function.call && function.name != "pow") continue; // arrays and degrees are no values
+        if (function.name == "smoothstep") continue;            // from x to x it has no value
         const auto parses = [&](std::size_t count) {
             Graph graph;
             try {

@@ -73,6 +73,41 @@ TEST(OwnFunctions, ThatAreWrongAreTold) {
     EXPECT_EQ(what_is_wrong("f(u) = log(u) + x; f(-1)"), "20: f is not defined here");
 }
 
+TEST(OwnFunctions, AreNotReadAsProductsOrOtherFunctions) {
+    expect_same("e(u) = u^2; e(x) + y", "x^2 + y");
+    expect_same("tau(u) = u^2; tau(x) + y", "x^2 + y");
+    expect_same("arg(u, v) = u - v; arg(x, y)", "x - y");
+    EXPECT_EQ(what_is_wrong("ln(u) = 2*u; ln(x)"), "1: 'ln' already has a meaning");
+    EXPECT_EQ(what_is_wrong("f(u) = u^2; f = 2; f(x)"), "13: 'f' is a function already");
+    EXPECT_EQ(what_is_wrong("cx(u) = u^2; cx(x)"), "1: 'cx' already has a value");
+    Vocabulary of_time;
+    of_time.inputs = {"t"};
+    Graph graph;
+    EXPECT_THROW(parse("t(u) = 2*u; t(3)", of_time, graph), ParseError);
+}
+
+// As where they are written without a function.
+TEST(OwnFunctions, TellConstantsWithoutAValue) {
+    for (const char* text :
+         {"f(u) = 1/u; x + f(0)", "f(u) = 0^u; x + f(-1)", "m2 = 0; f(u) = u/m2; x + f(y)",
+          "f(u) = 1/u; g(v) = f(v - v) + x; g(y)", "x + mod(3, 0)", "x + y + mod(z, 0)",
+          "x + atanh(1)", "x + csc(0)*1e-30"})
+        EXPECT_NE(what_is_wrong(text), "none") << text;
+    expect_same("k = 3; f(u) = chebyshev(k, u); f(x)", "chebyshev(3, x)");
+}
+
+TEST(OwnFunctions, TakeNoLongWhateverTheyAre) {
+    std::string names = "f(a0";
+    for (int k = 1; k < 50'000; ++k) names += fmt::format(",a{}", k);
+    EXPECT_EQ(what_is_wrong(names + ") = x; x"), "1: 'f' has 50000 arguments; at most 32 are read");
+    // Sums that share all that they are of: 2^16 ways to the bottom.
+    std::string sums = "p0 = x; q0 = y; ";
+    for (int k = 1; k <= 40; ++k)
+        sums += fmt::format("p{0} = p{1} + q{1}; q{0} = p{1} - q{1}; ", k, k - 1);
+    for (int k = 0; k < 300; ++k) sums += fmt::format("s{0} = sin({0}*p40); ", k);
+    EXPECT_EQ(what_is_wrong(sums + "s7 + s8"), "none");
+}
+
 // Each level doubles what the one before has.
 TEST(OwnFunctions, AreBoundedInSize) {
     std::string text = "f0(u) = u*x + 1; ";
