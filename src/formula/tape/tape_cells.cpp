@@ -324,6 +324,7 @@ int inputs_of(const Tape& tape) {
 std::optional<TapeFunctions> TapeFunctions::of(const std::vector<TapeRequest>& requests) {
     TapeFunctions made;
     std::vector<TapeSource> sources;
+    sources.reserve(requests.size());
     for (const TapeRequest& request : requests)
         sources.push_back({request.program, request.values, request.slopes});
     auto joined = tape_of(sources);
