@@ -182,8 +182,7 @@ int write_gallery(const PageArguments& arguments) {
     write(folder / "index.html", page::gallery_index(entries, shown));
     if (!arguments.quiet)
         print_result("pages: {} and {}\n", entries.size(), (folder / "index.html").string());
-    for (const std::string& line : left_out)
-        message("left out: {}\n", base::printable_line(line));
+    for (const std::string& line : left_out) message("left out: {}\n", base::printable_line(line));
     return exit_done;
 }
 

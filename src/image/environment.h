@@ -44,9 +44,9 @@ struct EnvironmentSink {
 };
 
 /// Returns the number of repaired texels. `stated_at` is where a user named the file, for messages:
-/// `scene.toml:4: environment.map`. Throws as above, and an InputError if the opened file lies outside its
-/// confines. Decodes files of floats twice, since the largest value must be known before the first
-/// row.
+/// `scene.toml:4: environment.map`. Throws as above, and an InputError if the opened file lies
+/// outside its confines. Decodes files of floats twice, since the largest value must be known
+/// before the first row.
 int read_environment(const std::filesystem::path& file, const EnvironmentSink& sink,
                      const base::Confines& within, std::string_view stated_at = {});
 

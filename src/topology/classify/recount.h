@@ -2,10 +2,10 @@
 //
 // The numbers follow from the kinds of the events, and kinds from paths, boxes and sums. A fault in
 // any of these gives numbers that look proved. So spans between two events are counted again at
-// some times each, by a way that shares no code with those: by signs of F at the vertices of a grid. A
-// grid misses what is finer than its cells, so numbers that differ prove nothing. Where grids of
-// three sizes tell the same, and not what the events do, a proof of that one frame decides. It
-// shares no code with paths and boxes; sums rest on proofs of other frames.
+// some times each, by a way that shares no code with those: by signs of F at the vertices of a
+// grid. A grid misses what is finer than its cells, so numbers that differ prove nothing. Where
+// grids of three sizes tell the same, and not what the events do, a proof of that one frame
+// decides. It shares no code with paths and boxes; sums rest on proofs of other frames.
 #pragma once
 
 #include <functional>
