@@ -123,8 +123,7 @@ def copy_sources(folder):
 
 def configure(folder, sources):
     command = ["cmake", "-S", sources, "-B", folder / "build", "-G", "Ninja",
-               "-DCMAKE_BUILD_TYPE=Release", "-DCMAKE_UNITY_BUILD=ON",
-               "-DCMAKE_CXX_FLAGS_RELEASE=-O1 -DNDEBUG"]  # compiled for one run
+               "-DCMAKE_BUILD_TYPE=Release", "-DCMAKE_UNITY_BUILD=ON"]
     if shutil.which("ccache"):
         command += [f"-DCMAKE_{language}_COMPILER_LAUNCHER=ccache" for language in ("C", "CXX")]
     subprocess.run(command, check=True, stdout=subprocess.DEVNULL)
