@@ -70,13 +70,6 @@ NodeId is_nowhere(Graph& g, NodeId id, const std::vector<NodeId>& is_0) {
     }
 }
 
-} // namespace
-
-bool may_be_unbounded(Op op) {
-    const Traits* row = traits(op);
-    return row && row->extent == Extent::unbounded;
-}
-
 NodeId unless_at_axis(Graph& g, NodeId a, NodeId b) {
     const NodeId zero = g.constant(0);
     return g.select(zero, g.unary(Op::abs, a), zero, unless_above(g, g.unary(Op::abs, b), zero));
@@ -85,6 +78,13 @@ NodeId unless_at_axis(Graph& g, NodeId a, NodeId b) {
 NodeId unless_at_cut(Graph& g, NodeId a, NodeId b) {
     const NodeId zero = g.constant(0);
     return g.select(zero, g.unary(Op::abs, a), zero, unless_above(g, b, zero));
+}
+
+} // namespace
+
+bool may_be_unbounded(Op op) {
+    const Traits* row = traits(op);
+    return row && row->extent == Extent::unbounded;
 }
 
 NodeId unless_0_to_the_0(Graph& g, NodeId base, NodeId exponent) {

@@ -630,7 +630,7 @@ private:
     std::vector<OpenLoop> open_arrays_; // arrays being gone through
     std::map<std::string, NodeId, std::less<>> definitions_;
     OwnFunctions own_functions_;
-    std::size_t work_ = 0; // of calls of these
+    std::size_t work_ = 0; // operations that calls of own functions have looked at
     // Of the parser of a function's body.
     Parser* outer_ = nullptr;
     std::string_view function_;

@@ -100,7 +100,7 @@ public:
             } else if (step.follows >= 0 && !has(step.follows)) {
                 open.push_back({step.follows, 0});
             } else {
-                put(std::exchange(at, -1));
+                put(at);
                 open.pop_back();
             }
         }
