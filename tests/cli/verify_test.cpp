@@ -174,6 +174,18 @@ TEST_F(Verify, DoesNotTellWhoDrewAFrame) {
     EXPECT_EQ(bytes("out/a.0001.png"), bytes("other/a.0001.png"));
 }
 
+// Every frame of ours has one.
+TEST_F(Verify, ARecordWithoutAFingerprintIsNone) {
+    const std::string name = "out/a.manifest/0002.json";
+    std::string record = bytes(name);
+    const std::string print = line_of(record, "fingerprint");
+    record.replace(record.find(print), print.size(), "  \"fingerprint\": \"\",");
+    write(name, record);
+    const Ending ending = verify("out");
+    EXPECT_EQ(ending.code, 1) << ending;
+    EXPECT_THAT(ending.out, HasSubstr("without a record: 1 (2)\n"));
+}
+
 // The scene is not to blame.
 TEST_F(Verify, AFrameThatIsNoPictureEndsAMovie) {
     if (std::system("command -v ffmpeg >/dev/null")) GTEST_SKIP() << "ffmpeg is not installed";
