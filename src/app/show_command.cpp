@@ -1,6 +1,8 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <stdexcept>
+#include <string>
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -15,6 +17,7 @@
 #include "base/printable.h"
 #include "image/environment.h"
 #include "probe/sight.h"
+#include "render/scene_plan.h"
 #include "render/stage.h"
 #include "scene/reading/load.h"
 #include "scene/scene_at.h"
@@ -124,6 +127,18 @@ int write_scene(const ShowArguments& arguments) {
 }
 
 // What one surface is at a frame; `now` is its own.
+// Why no renderer draws it, or nothing.
+std::string why_refused(const scene::OneSurface& one, const shader::Passes& passes) {
+    const scene::Output& output = one.scene.output;
+    const int texture = std::max(output.width, output.height);
+    try {
+        render::plan_scene(one, passes, output.width, output.height, texture, {});
+    } catch (const std::length_error& error) {
+        return error.what();
+    }
+    return {};
+}
+
 void print_surface(const scene::OneSurface& one, const shader::Passes& passes,
                    const scene::OneSurfaceAt& now, int frame) {
     const animation::Values& values = *now.surface.values;
@@ -180,6 +195,8 @@ void print_surface(const scene::OneSurface& one, const shader::Passes& passes,
     const double size = shader::inlined_size(passes), largest = shader::largest_shaders();
     print_result("compiles  {} passes, {:.0f} operations{}\n", passes.list.size(), size,
                  size > largest ? fmt::format("; more than {:.0f} are not compiled", largest) : "");
+    if (const std::string why = why_refused(one, passes); !why.empty())
+        print_result("refused   {}\n", why);
     if (passes.tapes)
         print_result(
             "runs      the formula instruction by instruction, as a driver would take long to "

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "formula/glsl/glsl_interval.h"
+#include "shader/loop_limit.h"
 #include "shader/pass.h"
 #include "shader/shader_files.h"
 #include "shader/shader_text.h"
@@ -107,6 +108,9 @@ std::string along_axes(FieldFunction function) {
 
 std::shared_ptr<const FieldTapes> FieldTapes::of(const formula::Field& field, int parameters,
                                                  std::vector<formula::ElementRange> ranges) {
+    // The part of a draw's turns that three slopes may take. Longer ones are taken by one tape of
+    // all: that of 12,000 sines of x and y takes a third of the turns.
+    constexpr double part_of_normals = 0.5;
     // Of one function: software renderers end a loop after 65,536 turns.
     constexpr std::size_t longest = 65'536 * formula::tape_unrolled;
     const formula::EnclosurePrograms& over_boxes = formula::enclosure_programs(field);
@@ -125,23 +129,35 @@ std::shared_ptr<const FieldTapes> FieldTapes::of(const formula::Field& field, in
          {breaks, {over_boxes.breaks, intervals, 0}},
          {directional_interval, {over_boxes.directional, intervals, 1, 1}}}};
     FieldTapes tapes(formula::ElementParameters(parameters, field.packing, std::move(ranges)));
-    for (const auto& group : groups) {
+    const auto made = [&](const auto& group, bool with_gradient) {
         std::vector<formula::TapeRequest> requests;
         for (const auto& of : group) {
-            const FieldFunction function = of.first;
-            const formula::TapeRequest& request = of.second;
-            // Where jumps are walls, a normal is no slope along a ray. Elsewhere slopes along the
-            // axes keep fewer values at a time.
-            if (function == gradient && field.wall_distance == 0) continue;
-            tapes.functions_.push_back(function);
-            auto program = formula::unrolled(request.program, tapes.elements_, longest);
-            if (!program) return nullptr;
-            requests.push_back(request);
+            if (of.first == gradient && !with_gradient) continue;
+            auto program = formula::unrolled(of.second.program, tapes.elements_, longest);
+            if (!program) return std::optional<formula::TapeFunctions>();
+            requests.push_back(of.second);
             requests.back().program = std::move(*program);
         }
-        auto made = formula::TapeFunctions::of(requests);
-        if (!made) return nullptr;
-        tapes.groups_.push_back(std::move(*made));
+        return formula::TapeFunctions::of(requests);
+    };
+    for (const auto& group : groups) {
+        // Where jumps are walls, a normal is no slope along a ray. Elsewhere slopes along the axes
+        // keep fewer values at a time.
+        bool with_gradient = group.front().first == value && field.wall_distance != 0;
+        auto functions = made(group, with_gradient);
+        if (!functions) return nullptr;
+        const int turns = (*functions)[functions->size() - 1].turns; // of a slope along a ray
+        if (group.front().first == value && !with_gradient &&
+            3 * turns > part_of_normals * loop_iterations_per_pass) {
+            if (auto joint = made(group, true)) {
+                functions = std::move(joint);
+                with_gradient = true;
+            }
+        }
+        for (const auto& of : group) {
+            if (of.first != gradient || with_gradient) tapes.functions_.push_back(of.first);
+        }
+        tapes.groups_.push_back(std::move(*functions));
     }
     return std::make_shared<const FieldTapes>(std::move(tapes));
 }

@@ -10,6 +10,7 @@
 
 #include "shader/assemble.h"
 #include "shader/inlined_size.h"
+#include "shader/tape_text.h"
 
 namespace isomotion::render::tapes_test {
 namespace {
@@ -125,6 +126,44 @@ TEST_P(Tapes, LongFormulasAreDrawnAtOnce) {
     // Balls of radius 0.04 in squares of 0.1 cover half of a square that is 1.98 across, and that
     // an eye at 6 with a field of view of 40 degrees sees some 22 pixels across.
     EXPECT_NEAR(double(hits), 0.5 * 22 * 22, 60);
+}
+
+// Three slopes of each sine would take more turns of the interpreter than a shader can.
+TEST_P(Tapes, TakeALongNormalFromOneTape) {
+    std::string waves;
+    for (int k = 1; k <= 6'000; ++k) waves += fmt::format(" + sin({}*x + {}*y)", k, k % 7);
+    const scene::Scene scene =
+        scene_of(scene_text("x^2 + y^2 + z^2 - 1 + 0.0000000001*(0" + waves + ")"));
+    const shader::Passes passes = shader::assemble(scene);
+    ASSERT_TRUE(passes.tapes);
+    using enum shader::FieldFunction;
+    EXPECT_EQ(passes.tapes->run_for(gradient), gradient);
+    EXPECT_LT(passes.tapes->cost({gradient}).iterations,
+              1.5 * passes.tapes->cost({directional}).iterations);
+    using enum shader::Channel;
+    Renderer renderer(*context, scene, {12, 12, {verdict, normal, position}});
+    const Picture picture = renderer.draw(scene::at_frame(scene, 1));
+    EXPECT_EQ(count(picture, Verdict::hit) + count(picture, Verdict::miss), 12 * 12);
+    // A sphere's, but for the waves' slope of 0.002 at most.
+    int hits = 0;
+    const auto& verdicts = picture.frame.find("verdict")->samples;
+    for (std::size_t k = 0; k < verdicts.size(); ++k) {
+        if (verdicts[k] != float(Verdict::hit)) continue;
+        ++hits;
+        for (const std::string axis : {"X", "Y", "Z"}) {
+            EXPECT_NEAR(picture.frame.find("N." + axis)->samples[k],
+                        picture.frame.find("P." + axis)->samples[k], 0.004);
+        }
+    }
+    EXPECT_GT(hits, 12 * 12 / 8);
+}
+
+TEST_P(Tapes, TakeAShortNormalFromSlopes) {
+    const RunEach run;
+    const shader::Passes passes = shader::assemble(scene_of(scene_text("x^2 + y^2 + z^2 - 1")));
+    ASSERT_TRUE(passes.tapes);
+    using enum shader::FieldFunction;
+    EXPECT_EQ(passes.tapes->run_for(gradient), directional);
 }
 
 // Loops over elements are written out, since tapes have none.
