@@ -53,6 +53,7 @@ struct Array {
     int count = 0; // with samples the largest count; the samples give the count at each time
     std::vector<ArrayField> fields;
     std::shared_ptr<const ElementSamples> samples{}; // null unless some field is a Column
+    bool is_of_formula = false; // terms that a formula repeats: nobody names them
 };
 
 // The values of all tracks and arrays at one time.

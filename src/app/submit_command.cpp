@@ -132,8 +132,10 @@ private:
                 .progress = [&](int done) { progress.show(done); },
                 .tell = [&](const std::string& text) { progress.tell(text); }};
             ending = farm::render_locally(job_, chunks, {workers, arguments_.tries}, watcher);
-            if (ending.code == exit_done && !ending.stopped && !job_.movies.empty()) {
-                progress.show(int(frames_.size()), "joining the movie");
+            // Also draws what the scene's files make of frames since they changed.
+            if (ending.code == exit_done && !ending.stopped) {
+                progress.show(int(frames_.size()),
+                              job_.movies.empty() ? "looking at all frames" : "joining the movie");
                 ending = join(ending, watcher);
             }
         }

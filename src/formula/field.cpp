@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <utility>
 
 #include "formula/graph/derivative.h"
 #include "formula/graph/in_range.h"
@@ -56,17 +57,27 @@ void derive_programs(Field& field) {
 
 } // namespace
 
-Field make_field(std::string_view text, Vocabulary vocabulary) {
+Field make_field(std::string_view text, Vocabulary vocabulary,
+                 std::vector<ElementNumbers>* repeated) {
     Field field;
     field.text = text;
     vocabulary.inputs = coordinate_names;
     vocabulary.allows_picks = false;
     vocabulary.allows_equation = true;
-    const NodeId root = same_signs(field.graph, parse(text, vocabulary, field.graph));
+    NodeId root = parse(text, vocabulary, field.graph);
+    field.nodes_read = field.graph.size();
+    std::size_t arrays = vocabulary.arrays.size();
+    if (repeated) {
+        RepeatedTerms terms = repeated_terms(field.graph, root, int(arrays));
+        root = terms.root;
+        arrays += terms.arrays.size();
+        *repeated = std::move(terms.arrays);
+    }
+    root = same_signs(field.graph, root);
     field.root = norms_without_cut_offs(field.graph, root);
     derive_programs(field);
-    field.packing = packing_of(vocabulary.arrays.size(),
-                               std::array{&field.value, &field.directional, &field.gradient});
+    field.packing =
+        packing_of(arrays, std::array{&field.value, &field.directional, &field.gradient});
     return field;
 }
 

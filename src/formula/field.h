@@ -10,6 +10,7 @@
 #include "formula/glsl/glsl.h"
 #include "formula/glsl/kernel_calls.h"
 #include "formula/graph/program.h"
+#include "formula/graph/repeated_terms.h"
 #include "formula/graph/vocabulary.h"
 
 namespace isomotion::formula {
@@ -19,7 +20,8 @@ inline constexpr int first_direction = 3; // inputs 3, 4, 5: the ray's direction
 struct KeptEnclosures;
 
 struct Field {
-    std::string text; // as the user wrote it
+    std::string text;           // as the user wrote it
+    std::size_t nodes_read = 0; // of the graph as read from it
 
     // The graph keeps primitives (chebyshev) whole; the programs run their lowered form.
     Graph graph;
@@ -36,8 +38,11 @@ struct Field {
     std::shared_ptr<KeptEnclosures> kept; // programs over boxes: enclosure.h
 };
 
-// Inputs of the vocabulary are replaced by coordinate_names. Throws ParseError.
-Field make_field(std::string_view text, Vocabulary vocabulary);
+// Inputs of the vocabulary are replaced by coordinate_names. `repeated` takes the numbers of terms
+// that are written out many times, and that the field reads as arrays behind the vocabulary's: see
+// graph/repeated_terms.h. Without it, terms stay as they are written. Throws ParseError.
+Field make_field(std::string_view text, Vocabulary vocabulary,
+                 std::vector<ElementNumbers>* repeated = nullptr);
 // The field times a power of two.
 Field scaled(Field field, double scale);
 // The same field with a larger packing: after what F reads, the fields that a program beside it

@@ -52,6 +52,17 @@ private:
     double left_;
 };
 
+// The region with one element of its array alone.
+Region with_one_element(const Region& region, std::size_t element) {
+    Region one{{region.bindings.parameters, {{1, {}}}}, region.box};
+    for (const std::vector<Interval>& column : region.bindings.arrays.front().fields) {
+        one.bindings.arrays.front().fields.emplace_back();
+        if (element < column.size())
+            one.bindings.arrays.front().fields.back().push_back(column[element]);
+    }
+    return one;
+}
+
 // What is asked of one field over some regions.
 class Examination {
 public:
@@ -98,6 +109,23 @@ private:
 
     bool may_be_there(NodeId decoration) { return may_be_near_0(decoration, graph_.constant(0)); }
 
+    // Whether no element of the one array shows the decoration anywhere. Lines through all elements
+    // take longer than boxes through each.
+    bool is_at_no_element(NodeId decoration) {
+        if (counts_.size() != 1 || counts_.front() < 2) return false;
+        const Program program = schedule(graph_, std::array{graph_.constant(0), decoration});
+        const auto loops = std::ranges::count(program.instructions, Instruction::Kind::loop_begin,
+                                              &Instruction::kind);
+        if (graph_[decoration].op != Op::sum || loops != 1) return false;
+        const std::vector<int> one{1};
+        Inspection inspection(program, operations_ / (cost(program, one).operations + 1));
+        for (const Region& region : regions_) {
+            for (int k = 0; k < counts_.front(); ++k)
+                if (!inspection.holds(with_one_element(region, std::size_t(k)))) return false;
+        }
+        return true;
+    }
+
     // Making programs for one place of many takes as long as running them.
     bool may_look() {
         made_ += double(graph_.size() + field_.directional.instructions.size());
@@ -112,6 +140,7 @@ private:
 
     bool may_be_near_0(NodeId decoration, NodeId value) {
         if (!may_look()) return true;
+        if (is_at_no_element(decoration)) return false;
         const Program program = schedule(graph_, std::array{value, decoration});
         Inspection inspection(program, evaluations(program));
         return !std::all_of(regions_.begin(), regions_.end(),
@@ -223,6 +252,7 @@ private:
     // sqrt(x^2 + y^2) = 0, matter where F may be 0.
     bool matters(NodeId decoration, Met least) {
         if (!may_look()) return true;
+        if (is_at_no_element(decoration)) return false;
         const Program program = schedule(graph_, std::array{decoration});
         const bool of_elements = is_of_elements(program);
         const ElementKernels* round = of_elements ? round_kernels() : nullptr;

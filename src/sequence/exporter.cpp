@@ -196,7 +196,10 @@ private:
 
     // `part` of one of the pictures that the frame is the mean of.
     void tell(double part) {
-        if (is_landing_) return; // of a frame before
+        if (landing_since_) {
+            tell_of_landing(part);
+            return;
+        }
         if (part < part_) ++picture_;
         part_ = part;
         tell_of_frame(std::min((picture_ + part) / scene_.output.samples, 1.0));
@@ -208,6 +211,18 @@ private:
         pace_.note(part, progress_.passed);
         progress_.left = pace_.left(progress_.passed);
         if (watcher_.progress) watcher_.progress(progress_);
+    }
+
+    // A picture that needs more than was sent on its way is drawn when it is taken, which may take
+    // long. By then the next frame has begun.
+    void tell_of_landing(double part) {
+        ExportProgress now = progress_;
+        now.frame = waiting_.front().frame;
+        now.file = name_.path(now.frame);
+        now.part = part;
+        now.passed = std::chrono::steady_clock::now() - *landing_since_;
+        now.left.reset();
+        if (watcher_.progress) watcher_.progress(now);
     }
 
     // How many rays of the next frame to audit.
@@ -252,9 +267,9 @@ private:
     // Takes the picture that frames wait for, if any do.
     void finish() {
         if (waiting_.empty()) return;
-        is_landing_ = true;
+        landing_since_ = std::chrono::steady_clock::now();
         picture_drawn_ = renderer_.take();
-        is_landing_ = false;
+        landing_since_.reset();
         release();
     }
 
@@ -368,9 +383,9 @@ private:
     ExportProgress progress_;
     std::chrono::steady_clock::time_point begin_{}; // of the frame
     Pace pace_;
-    int picture_ = 0;         // of the frame's
-    double part_ = 0;         // of the picture
-    bool is_landing_ = false; // a frame before the one that is told of
+    int picture_ = 0;                                                    // of the frame's
+    double part_ = 0;                                                    // of the picture
+    std::optional<std::chrono::steady_clock::time_point> landing_since_; // of a frame before
 
     std::string drawn_;                 // fingerprint of the picture drawn last or on its way
     render::Picture picture_drawn_;     // last

@@ -27,6 +27,7 @@ public:
     void operator()(const char* key, const Provenance& value);
 
     void where_known(const char* key, std::int64_t value) { json_[key] = value; }
+    void seconds(const char* key, double value) { json_[key] = value; }
     void constant(const char* key, std::string_view value) { json_[key] = value; }
     void size(const char* key, int width, int height) { json_[key] = Json::array({width, height}); }
     void frames(const char* key, const std::vector<int>& frames) {
@@ -82,14 +83,20 @@ public:
     void where_known(const char* key, std::int64_t& value) {
         if (table_.find(key)) operator()(key, value);
     }
+    void seconds(const char* key, double& value) {
+        constexpr double most = 1e9; // thirty years
+        const base::DocumentNode node = table_.at(key);
+        value = number(node);
+        if (!(value >= 0 && value <= most)) node.fail(fmt::format("must be from 0 to {:g}", most));
+    }
     void constant(const char* key, std::string_view wanted) {
         const base::DocumentNode node = table_.at(key);
         if (node.text() != wanted) node.fail(fmt::format("must be \"{}\"", wanted));
     }
     void size(const char* key, int& width, int& height) {
         const auto sides = table_.at(key).list(2);
-        width = sides[0].integer(0, std::numeric_limits<int>::max());
-        height = sides[1].integer(0, std::numeric_limits<int>::max());
+        width = sides[0].integer(1, std::numeric_limits<int>::max());
+        height = sides[1].integer(1, std::numeric_limits<int>::max());
     }
     void frames(const char* key, std::vector<int>& frames) {
         const base::DocumentNode node = table_.at(key);
@@ -183,7 +190,7 @@ template<class Visitor, Is<FrameRecord> R> void fields(Visitor& at, R& record) {
     at.counts("evaluations by kind", record.by_kind, render::ray_kind_names);
     at.counts("most of a pixel", record.most_of_a_pixel, render::ray_kind_names);
     at.counts("rays undecided", record.undecided, render::ray_kind_names);
-    at("drawing seconds", record.drawing);
+    at.seconds("drawing seconds", record.drawing);
     at("made by", record.provenance);
     at.counts("proofs", record.proofs, render::proof_names);
     at.counts("audit", record.audit, audit_names);

@@ -1,13 +1,10 @@
 #include "formula/graph/substitute.h"
 
-#include <array>
 #include <unordered_map>
 
 namespace isomotion::formula {
-namespace {
 
-NodeId rebuild(Graph& to, const Node& node, const std::array<NodeId, 4>& children,
-               int first_array) {
+NodeId remade(Graph& to, const Node& node, const std::array<NodeId, 4>& children, int first_array) {
     switch (node.op) {
     case Op::constant:
         return to.constant(node.value);
@@ -34,6 +31,8 @@ NodeId rebuild(Graph& to, const Node& node, const std::array<NodeId, 4>& childre
                                : to.binary(node.op, children[0], children[1]);
     }
 }
+
+namespace {
 
 enum class Sums { entered, kept };
 
@@ -68,7 +67,7 @@ std::vector<NodeId> substitute(Graph& to, const Graph& from, std::span<const Nod
         for (std::size_t k = 0; k < node.arity; ++k) {
             children[k] = stands_for.at(node.children[k]);
         }
-        stands_for[id] = replacement(to, node, rebuild(to, node, children, first_array));
+        stands_for[id] = replacement(to, node, remade(to, node, children, first_array));
     }
     std::vector<NodeId> result;
     for (const NodeId root : roots) result.push_back(stands_for.at(root));

@@ -1,6 +1,7 @@
 // Copies of expressions with some of their parts replaced.
 #pragma once
 
+#include <array>
 #include <functional>
 #include <span>
 #include <vector>
@@ -12,6 +13,10 @@ namespace isomotion::formula {
 // The replacement of a node. `rebuilt` is the node remade in `to` from the replacements of its
 // children (a leaf: the same leaf). Return it, or another node.
 using Replacement = std::function<NodeId(Graph& to, const Node& node, NodeId rebuilt)>;
+
+// The node with other children, made in `to`.
+NodeId remade(Graph& to, const Node& node, const std::array<NodeId, 4>& children,
+              int first_array = 0);
 
 // The expressions `roots` of `from`, remade in `to`, which may be `from` itself. Array k of `from`
 // becomes array `first_array` + k of `to`.

@@ -1,7 +1,6 @@
 #include "first_look.h"
 
 #include <algorithm>
-#include <array>
 #include <string_view>
 
 namespace isomotion::image::oiio {
@@ -35,6 +34,19 @@ std::int64_t count_channels(std::span<const std::byte> list) {
     return count;
 }
 
+// Calls take(type) for each whole chunk of a PNG, as long as it returns true.
+template<class Take> void for_each_chunk(std::span<const std::byte> png, Take&& take) {
+    constexpr std::size_t signature = 8, overhead = 12; // length, type and checksum of a chunk
+    std::size_t at = signature;
+    while (at + overhead <= png.size()) {
+        std::size_t length = 0;
+        for (const std::byte digit : png.subspan(at, 4)) length = length << 8 | std::size_t(digit);
+        if (length > png.size() - at - overhead) return;
+        if (!take(std::string_view(reinterpret_cast<const char*>(&png[at + 4]), 4))) return;
+        at += length + overhead;
+    }
+}
+
 } // namespace
 
 std::uint32_t little_endian(std::span<const std::byte> bytes, std::size_t at) {
@@ -44,17 +56,18 @@ std::uint32_t little_endian(std::span<const std::byte> bytes, std::size_t at) {
 }
 
 bool has_end_chunk(std::span<const std::byte> png) {
-    constexpr std::size_t signature = 8, overhead = 12; // length, type and checksum of a chunk
-    constexpr std::array end_type{std::byte{'I'}, std::byte{'E'}, std::byte{'N'}, std::byte{'D'}};
-    std::size_t at = signature;
-    while (at + overhead <= png.size()) {
-        std::size_t length = 0;
-        for (const std::byte digit : png.subspan(at, 4)) length = length << 8 | std::size_t(digit);
-        if (length > png.size() - at - overhead) return false;
-        if (std::ranges::equal(png.subspan(at + 4, 4), end_type)) return true;
-        at += length + overhead;
-    }
-    return false;
+    bool has_end = false;
+    for_each_chunk(png, [&](std::string_view type) { return !(has_end = type == "IEND"sv); });
+    return has_end;
+}
+
+std::size_t count_packed_chunks(std::span<const std::byte> png) {
+    std::size_t count = 0;
+    for_each_chunk(png, [&](std::string_view type) {
+        count += type == "zTXt"sv || type == "iTXt"sv || type == "iCCP"sv;
+        return type != "IEND"sv;
+    });
+    return count;
 }
 
 int count_scans(std::span<const std::byte> jpeg) {

@@ -15,6 +15,10 @@ std::uint32_t little_endian(std::span<const std::byte> bytes, std::size_t at);
 // follows them to the end chunk.
 bool has_end_chunk(std::span<const std::byte> png);
 
+// The number of a PNG's chunks that hold packed text or a packed profile, up to its end chunk. A
+// few kilobytes of each may unpack to the 8 MB that libpng allows it, and all are kept.
+std::size_t count_packed_chunks(std::span<const std::byte> png);
+
 // The number of passes over the whole picture that libjpeg makes before the first row: 1 for a
 // baseline JPEG, some 10 for a progressive one.
 int count_scans(std::span<const std::byte> jpeg);

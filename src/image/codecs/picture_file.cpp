@@ -94,6 +94,10 @@ void check_before_opening(const std::string& file, const Signature& signature,
                           std::span<const std::byte> bytes, const PictureLimits& limits) {
     if (signature.reader == "png"sv && !has_end_chunk(bytes))
         fail(file, "not a whole picture: its end is missing");
+    if (const std::size_t packed = signature.reader == "png"sv ? count_packed_chunks(bytes) : 0;
+        packed > limits.packed_chunks)
+        fail(file, fmt::format("{} chunks of packed text or profiles in a PNG; at most {} are read",
+                               packed, limits.packed_chunks));
     if (signature.reader == "jpeg"sv) {
         if (const int scans = count_scans(bytes); scans > limits.scans)
             fail(file, fmt::format("{} scans of a progressive JPEG; at most {} are read", scans,

@@ -23,6 +23,7 @@ struct PictureLimits {
     int channels = 64;
     std::size_t band_bytes = std::size_t(256) << 20; // of the rows decoded at once
     int scans = 100;                                 // of a progressive JPEG
+    std::size_t packed_chunks = 64;                  // of a PNG
 };
 
 // Rows of a band: one row of tiles, or rows of some 64 MB.

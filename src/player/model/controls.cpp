@@ -200,6 +200,7 @@ std::vector<ArrayControls> array_controls(const Animation& animation,
     std::vector<ArrayControls> all;
     for (std::size_t a = 0; a < animation.arrays().size(); ++a) {
         const Array& array = animation.arrays()[a];
+        if (array.is_of_formula) continue;
         ArrayControls controls{array.name, values.arrays[a].count, {}};
         for (const ArrayField& field : array.fields) {
             const std::string name = dotted(array, field);

@@ -85,6 +85,7 @@ Scene read_listed(toml::table& root, const fs::path& file, const base::Confines&
     Scene all;
     std::vector<Surface> surfaces;
     std::optional<Mistakes> mistakes = in_names.all();
+    std::size_t nodes = 0; // of all formulas
     for (std::size_t k = 0; k < names.size(); ++k) {
         std::set<std::string> for_others = shared_parameters(root);
         for (const std::string& own : own_parameters(root, k)) for_others.erase(own);
@@ -99,6 +100,13 @@ Scene read_listed(toml::table& root, const fs::path& file, const base::Confines&
         }
         for (const std::string& name : shared) {
             if (!for_others.contains(name)) unused.erase(name);
+        }
+        nodes += scene.surfaces.front().field->nodes_read;
+        if (nodes > formula::limits::formula_nodes) {
+            fail(listed(root, k), fmt::format("surfaces.{}.formula", names[k]),
+                 fmt::format("this formula and those before it have more than {} operations, names "
+                             "and numbers together",
+                             formula::limits::formula_nodes));
         }
         surfaces.push_back(std::move(scene.surfaces.front()));
         if (k == 0) all = std::move(scene);

@@ -57,10 +57,15 @@ fs::path locate(const std::string& scene) {
                                    scene, near));
 }
 
-bool is_there(const std::string& name) {
+bool is_there(const fs::path& file) {
     std::error_code error;
-    const fs::file_type type = fs::status(name, error).type();
+    const fs::file_type type = fs::status(file, error).type();
     return type != fs::file_type::not_found && type != fs::file_type::none; // too long for a file
+}
+
+// Somebody's gallery may have a file "x^2+y^2=1.toml".
+bool is_animation(const std::string& name) {
+    return name.find('/') == name.npos && is_there(animation_file(name));
 }
 
 } // namespace
@@ -70,7 +75,9 @@ bool is_of_another_program(const fs::path& file) {
     return extension == ".jsurf" || extension == ".pov";
 }
 
-bool is_formula_alone(const std::string& name) { return is_formula(name) && !is_there(name); }
+bool is_formula_alone(const std::string& name) {
+    return is_formula(name) && !is_there(name) && !is_animation(name);
+}
 
 toml::table parse_scene(std::string_view text, const fs::path& file) {
     const std::string extension = base::lower_extension(file);

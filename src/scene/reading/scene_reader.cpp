@@ -220,7 +220,9 @@ void SceneReader::read_document() {
 // The formula and all expressions.
 void SceneReader::compile() {
     animate();
+    const std::size_t arrays = parts_->arrays.size();
     const bool is_formula_right = make_field(*parts_, mistakes_);
+    if (parts_->arrays.size() > arrays) animate();
     if (surface().field) {
         make_paints(material_, *parts_, mistakes_);
         if (is_formula_right) mistakes_.attempt([&] { expect_surface(scene_, *parts_); });

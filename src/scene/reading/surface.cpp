@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <string_view>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -241,6 +242,21 @@ void read_formula(Section& section, SurfaceParts& parts) {
     }
 }
 
+// An array of terms that the formula repeats. No formula can name it.
+void add_terms(formula::ElementNumbers numbers, SurfaceParts& parts) {
+    const std::string name = fmt::format("terms {}", parts.arrays.size() + 1);
+    animation::Array array{name, int(numbers.front().size()), {}};
+    array.is_of_formula = true;
+    formula::ArrayName names{name, {}};
+    for (std::vector<double>& column : numbers) {
+        const std::string field = fmt::format("number {}", array.fields.size() + 1);
+        array.fields.push_back({field, std::move(column)});
+        names.fields.push_back({field, {}});
+    }
+    parts.arrays.push_back(std::move(array));
+    parts.vocabulary.arrays.push_back(std::move(names));
+}
+
 } // namespace
 
 std::unique_ptr<SurfaceParts> read_surface(Section& section, Section& sections,
@@ -260,9 +276,10 @@ std::unique_ptr<SurfaceParts> read_surface(Section& section, Section& sections,
 
 bool make_field(SurfaceParts& parts, MistakeList& mistakes) {
     if (!parts.are_arrays_known) return false;
+    std::vector<formula::ElementNumbers> repeated;
     const auto make = [&](const std::string& formula) {
-        parts.surface.field =
-            std::make_shared<formula::Field>(formula::make_field(formula, parts.vocabulary));
+        parts.surface.field = std::make_shared<formula::Field>(
+            formula::make_field(formula, parts.vocabulary, &repeated));
     };
     const bool is_right = parts.formula && mistakes.attempt([&] {
         try {
@@ -274,6 +291,7 @@ bool make_field(SurfaceParts& parts, MistakeList& mistakes) {
         }
     });
     if (!is_right) make("x");
+    for (formula::ElementNumbers& numbers : repeated) add_terms(std::move(numbers), parts);
     return is_right;
 }
 

@@ -35,8 +35,10 @@ std::unique_ptr<SurfaceParts> read_surface(Section& section, Section& sections,
                                            const animation::Timeline& timeline, TrackTable& tracks,
                                            const base::Confines& within, Surface& surface);
 
-// Parses the formula. Returns whether it is right. A mistake is told, and another formula stands in
-// for it. There is no field where the formula's names are not known, as an array is wrong.
+// Parses the formula. Terms that it repeats become arrays, behind those of the scene: whoever made
+// the animation before makes it again. Returns whether it is right. A mistake is told, and another
+// formula stands in for it. There is no field where the formula's names are not known, as an array
+// is wrong.
 bool make_field(SurfaceParts& parts, MistakeList& mistakes);
 
 // Adds the array fields that paints read to the data stored for the field.

@@ -432,6 +432,22 @@ TEST_F(EnvironmentFile, AttributesOfAnExrAreFollowedBeforeItIsOpened) {
                 HasSubstr("a header of more than 16 MB"));
 }
 
+// libpng unpacks each of them before the first row, up to 8 MB.
+TEST_F(EnvironmentFile, PackedChunksAreCounted) {
+    const auto with = [&](int count, const std::string& type) {
+        const std::string one = std::string("\0\0\0\4", 4) + type + "text" + "csum";
+        std::vector<unsigned char> chunks;
+        for (int k = 0; k < count; ++k) chunks.insert(chunks.end(), one.begin(), one.end());
+        return mistake(write("a.png", png(chunks)));
+    };
+    for (const char* type : {"zTXt", "iTXt", "iCCP"}) {
+        EXPECT_THAT(with(65, type),
+                    HasSubstr("65 chunks of packed text or profiles in a PNG; at most 64"));
+        EXPECT_THAT(with(64, type), testing::Not(HasSubstr("chunks")));
+    }
+    EXPECT_THAT(with(500, "tEXt"), testing::Not(HasSubstr("chunks")));
+}
+
 // libjpeg goes over all scans before it gives the first row.
 TEST_F(EnvironmentFile, ScansAreCounted) {
     EXPECT_THAT(mistake(write("a.jpg", progressive_jpeg(101))),
