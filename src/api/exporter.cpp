@@ -103,7 +103,8 @@ sequence::ExportWatcher watcher_of(const ExportWatcher& watcher, std::size_t fra
                                 .frame = now.frame,
                                 .file = now.file,
                                 .part = now.part,
-                                .seconds = now.passed.count()};
+                                .seconds = now.passed.count(),
+                                .landing = now.landing};
             if (now.left) told.left = now.left->count();
             tell(told);
         };

@@ -11,6 +11,11 @@ constexpr std::chrono::milliseconds shown_every{200};
 } // namespace
 
 std::optional<std::string> long_frame(const ExportProgress& now, const std::string& costs) {
+    if (now.landing) {
+        if (now.seconds < is_long) return std::nullopt;
+        return fmt::format("frame {}: it is still drawn after {}; what costs: {}", *now.landing,
+                           duration(now.seconds), costs);
+    }
     if (now.seconds < is_known || now.part >= 1) return std::nullopt;
     if (!now.left) {
         if (now.seconds < is_long) return std::nullopt;

@@ -197,7 +197,7 @@ private:
     // `part` of one of the pictures that the frame is the mean of.
     void tell(double part) {
         if (landing_since_) {
-            tell_of_landing(part);
+            tell_of_landing();
             return;
         }
         if (part < part_) ++picture_;
@@ -214,14 +214,11 @@ private:
     }
 
     // A picture that needs more than was sent on its way is drawn when it is taken, which may take
-    // long. By then the next frame has begun.
-    void tell_of_landing(double part) {
+    // long. By then the next frame may have begun.
+    void tell_of_landing() {
         ExportProgress now = progress_;
-        now.frame = waiting_.front().frame;
-        now.file = name_.path(now.frame);
-        now.part = part;
+        now.landing = waiting_.front().frame;
         now.passed = std::chrono::steady_clock::now() - *landing_since_;
-        now.left.reset();
         if (watcher_.progress) watcher_.progress(now);
     }
 

@@ -45,6 +45,8 @@ struct ExportProgress {
     double part = 0;        // of the frame that is drawn; 1 while the last one is written
     Pace::Seconds passed{}; // since it was begun
     std::optional<Pace::Seconds> left{};
+    // A frame before that was on its way, and needs more than was sent for it; `passed` is of that.
+    std::optional<int> landing{};
 };
 
 // Each may be empty. The exporting thread calls them.

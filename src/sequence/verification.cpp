@@ -136,6 +136,11 @@ bool Verification::is_whole() const {
 Verification verify(const fs::path& manifest, const VerifyOptions& how) {
     Verification found;
     found.manifest = manifest;
+    if (std::error_code ignored; fs::is_symlink(manifest, ignored)) {
+        throw Error(Error::Code::file,
+                    fmt::format("{}: is a link, and a manifest a folder of its own",
+                                base::printable_line(manifest.string())));
+    }
     found.sequence = read_sequence(manifest);
     std::vector<int>& asked = found.sequence.asked;
     std::ranges::sort(asked);

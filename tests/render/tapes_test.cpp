@@ -109,13 +109,14 @@ TEST_P(Tapes, ProofsRunThem) {
     EXPECT_GT(proved_part(picture.proofs), 0.9) << summary(picture.proofs);
 }
 
-// 400 bodies in rows, which take minutes to compile: each is met. They look like balls from the
-// eye, and are of eight kinds, as more of one kind would be an array's elements.
+// 400 balls in rows, which take minutes to compile: each is met. They are written in eight ways, as
+// more of one kind would be an array's elements.
 TEST_P(Tapes, LongFormulasAreDrawnAtOnce) {
     std::string formula = "min(";
     for (int k = 0; k < 400; ++k) {
-        formula += fmt::format("{}(x - {:.2f})^2 + (y - {:.2f})^2 + z^{}", k > 0 ? ", " : "",
-                               0.1 * (k % 20) - 0.95, 0.1 * (k / 20) - 0.95, 2 + 2 * (k % 8));
+        const auto ball = fmt::format("((x - {:.2f})^2 + (y - {:.2f})^2 + z^2)",
+                                      0.1 * (k % 20) - 0.95, 0.1 * (k / 20) - 0.95);
+        formula += fmt::format("{}{}*(1 + {})^{}", k > 0 ? ", " : "", ball, ball, k % 8);
     }
     const std::string text = scene_text(formula + ") - 0.0016", "camera.position = [0, 0, 6]\n"
                                                                 "camera.up = [0, 1, 0]\n");
@@ -132,8 +133,8 @@ TEST_P(Tapes, LongFormulasAreDrawnAtOnce) {
 // Three slopes of each sine would take more turns of the interpreter than a shader can.
 TEST_P(Tapes, TakeALongNormalFromOneTape) {
     std::string waves;
-    for (int k = 1; k <= 6'000; ++k) // few of each kind, as many would be an array's elements
-        waves += fmt::format(" + z^{}*sin({}*x + {}*y)", k % 70, k, k % 7);
+    for (int k = 1; k <= 2'400; ++k) // few of each kind, as many would be an array's elements
+        waves += fmt::format(" + sin({}*x + {}*y)^{}", k, k % 7, 1 + k % 25);
     const scene::Scene scene =
         scene_of(scene_text("x^2 + y^2 + z^2 - 1 + 0.0000000001*(0" + waves + ")"));
     const shader::Passes passes = shader::assemble(scene);

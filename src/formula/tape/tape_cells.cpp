@@ -24,13 +24,23 @@ constexpr double shorter = 0.6;
 // The part of a cell that its tape holds around it: as in shaders/tape/cells.glsl.
 constexpr double around_for_points = 0.0625, around_for_boxes = 0.25;
 
-// The function's part of a tape of all.
+// The function's part of a tape of all, in an order of its own if it has one. F, the first output
+// of all, is ordered with slopes alone, too, so that each of them stands behind its value.
 Tape tape_of(const TapeFunctions::Function& function, const Tape& all) {
     Tape own = part_of(all, function.first_output, function.outputs);
     if (!function.has_own_order) return own;
     std::vector<bool> is_slope(std::size_t(function.outputs), false);
     std::fill_n(is_slope.begin() + function.values, function.slopes, true);
-    return in_short_order(own, is_slope);
+    const bool is_without_f = function.values == 0 && function.slopes == function.outputs;
+    if (!is_without_f) return in_short_order(own, is_slope);
+    Tape with_f = all;
+    with_f.outputs = own.outputs;
+    std::copy_n(all.outputs.begin() + function.first_output, function.outputs,
+                with_f.outputs.begin());
+    with_f.outputs.insert(with_f.outputs.begin(), all.outputs.front());
+    is_slope.insert(is_slope.begin(), false);
+    const Tape ordered = in_short_order(part_of(with_f, 0, 1 + function.outputs), is_slope);
+    return part_of(ordered, 1, function.outputs);
 }
 
 bool decides(const TapeStep& step) {

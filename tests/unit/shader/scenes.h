@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
@@ -117,16 +118,16 @@ inline std::string surface_text(const std::string& formula,
 // A formula of several thousand operations.
 inline std::string long_formula() {
     std::string text = "x^2 + y^2 + z^2 - 1";
-    for (int k = 1; k <= 250; ++k) {
-        text += " + 1e-5*sin(" + std::to_string(k) + "*x + y)*z";
-    }
+    for (int k = 1; k <= 250; ++k) // few of each kind, as many would be an array's elements
+        text += fmt::format(" + 1e-5*sin({}*x + y)*{}", k, std::array{"z", "x", "y"}[k % 3]);
     return text;
 }
 
 // A formula with kinks that is run from tapes.
 inline std::string many_balls() {
     std::string text = "min(x^2 + y^2 + z^2 - 1";
-    for (int k = 0; k < 200; ++k) text += fmt::format(", (x - {}/7)^2 + y^2 + z^2 - 1", k);
+    for (int k = 0; k < 200; ++k) // few of each kind, as many would be an array's elements
+        text += fmt::format(", ((x - {}/7)^2 + y^2 + z^2)^{} - 1", k, 1 + k % 4);
     return text + ")";
 }
 

@@ -41,6 +41,8 @@ struct ExportProgress {
     double part = 0;                 // of the frame, 0 to 1
     double seconds = 0;              // since it was begun
     std::optional<double> left = {}; // seconds until it is drawn, once that can be told
+    // A frame before this one that takes longer than was reckoned with; `seconds` are of that.
+    std::optional<int> landing = {};
 };
 
 // As a Watcher.
