@@ -13,7 +13,7 @@
 namespace isomotion::formula {
 namespace {
 
-constexpr std::size_t fewest_terms = 100, most_fields = 32, most_arrays_made = 8;
+constexpr std::size_t fewest_terms = 16, most_fields = 32, most_arrays_made = 8;
 constexpr int most_numbers = 64, most_depth = 64; // of a term
 
 // Operations whose operands may be regrouped.

@@ -19,7 +19,7 @@ struct RepeatedTerms {
     std::vector<ElementNumbers> arrays{};
 };
 
-// Array k of the result is array `first_array` + k of the graph. Fewer terms than a hundred stay as
+// Array k of the result is array `first_array` + k of the graph. Fewer terms than sixteen stay as
 // they are written. Values are the same, but for rounding.
 RepeatedTerms repeated_terms(Graph& graph, NodeId root, int first_array);
 

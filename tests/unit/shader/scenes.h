@@ -116,19 +116,19 @@ inline std::string surface_text(const std::string& formula,
 }
 
 // A formula of several thousand operations.
+// Its terms stay as they are written: no more than one is in each sum, so none is repeated.
 inline std::string long_formula() {
-    std::string text = "x^2 + y^2 + z^2 - 1";
-    for (int k = 1; k <= 250; ++k) // few of each kind, as many would be an array's elements
-        text += fmt::format(" + 1e-5*sin({}*x + y)*{}", k, std::array{"z", "x", "y"}[k % 3]);
-    return text;
+    std::string text = "s = x^2 + y^2 + z^2 - 1; ";
+    for (int k = 1; k <= 250; ++k) text += fmt::format("s = 1.001*(s + 1e-5*sin({}*x + y)*z); ", k);
+    return text + "s";
 }
 
-// A formula with kinks that is run from tapes.
+// A formula with kinks that is run from tapes, and repeats no operand of a min either.
 inline std::string many_balls() {
-    std::string text = "min(x^2 + y^2 + z^2 - 1";
-    for (int k = 0; k < 200; ++k) // few of each kind, as many would be an array's elements
-        text += fmt::format(", ((x - {}/7)^2 + y^2 + z^2)^{} - 1", k, 1 + k % 4);
-    return text + ")";
+    std::string text = "m = x^2 + y^2 + z^2 - 1; ";
+    for (int k = 0; k < 200; ++k)
+        text += fmt::format("m = 1.001*min(m, (x - {}/7)^2 + y^2 + z^2 - 1); ", k);
+    return text + "m";
 }
 
 // Gaussian balls.
