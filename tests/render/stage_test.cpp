@@ -142,10 +142,12 @@ TEST_P(StageOf, ChangesLastBitsAtMostWhateverTheTilesAndPasses) {
 // A formula so long that the march takes the gradient too, and an array so long that it is in a
 // texture.
 TEST_P(StageOf, ChangesLastBitsAtMostOfWhatIsLong) {
-    std::string terms = "x^2 + y^2 + z^2 - 1";
+    std::string terms = "s = x^2 + y^2 + z^2 - 1; "; // no sum of many, which would be an array's
     for (int k = 1; k < 60; ++k) {
-        terms += fmt::format(" + sin({}*x)*cos({}*y)*sin({}*z + x)/400", k, k + 1, k + 2);
+        terms +=
+            fmt::format("s = 1.001*(s + sin({}*x)*cos({}*y)*sin({}*z + x)/400); ", k, k + 1, k + 2);
     }
+    terms += "s";
     const std::string surface = "[surface]\nbounds = { sphere = 1.5 }\nformula = ";
     const std::string view = "[camera]\nposition = [5, 0, 0]\n[output]\nsize = [21, 19]\n";
     const scene::Scene formula = scene_of(surface + '"' + terms + "\"\n" + view);

@@ -3,6 +3,7 @@
 #include <array>
 #include <numbers>
 
+#include "formula/graph/conditions.h"
 #include "formula/graph/term.h"
 
 namespace isomotion::formula {
@@ -61,6 +62,8 @@ NodeId length(Graph& g, Arguments a) {
     return sqrt(squares).node;
 }
 
+NodeId choice(Graph& g, Arguments a) { return choose(g, a[0], a[1], a[2]); }
+
 NodeId smoothmax(Graph& g, Arguments a) {
     const std::array less{g.unary(Op::negate, a[0]), g.unary(Op::negate, a[1]), a[2]};
     return g.unary(Op::negate, find_function("smoothmin")->call(g, less));
@@ -68,6 +71,7 @@ NodeId smoothmax(Graph& g, Arguments a) {
 
 // clang-format off
 constexpr std::array table{
+    Function{"if", "condition, a, b", 3, false, choice, nullptr},
     Function{"smoothmax", "a, b, k", 3, false, smoothmax, nullptr},
     Function{"clamp", "a, low, high", 3, false, of_three<clamp>, nullptr},
     Function{"mix", "a, b, part", 3, false, of_three<mix>, nullptr},

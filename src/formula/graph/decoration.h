@@ -1,10 +1,13 @@
 // Building blocks of decorations (continuity.h).
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <bit>
 #include <limits>
+#include <vector>
 
+#include "formula/graph/conditions.h"
 #include "formula/graph/substitute.h"
 
 namespace isomotion::formula {
@@ -42,12 +45,30 @@ inline NodeId of_any_element(Graph& g, NodeId decoration) {
     return decoration;
 }
 
-// The sum of `decoration` over all nodes below the root.
+// The sum of `decoration` over all nodes below the root, but for what a choice leaves out.
 template<class Decoration> NodeId all_below(Graph& g, NodeId root, Decoration&& decoration) {
-    NodeId all = g.constant(0);
-    for (const NodeId id : nodes_below(g, std::array{root}))
-        all = g.add(all, of_any_element(g, decoration(g, id)));
-    return all;
+    const std::vector<NodeId> nodes = nodes_below(g, std::array{root});
+    if (std::ranges::none_of(nodes, [&](NodeId id) { return is_choice(g[id]); })) {
+        NodeId all = g.constant(0);
+        for (const NodeId id : nodes) all = g.add(all, of_any_element(g, decoration(g, id)));
+        return all;
+    }
+    std::vector<NodeId> below(std::size_t(root) + 1,
+                              g.constant(0)); // of each node and its operands
+    for (const NodeId id : nodes) {
+        const Node node = g[id]; // a copy: the graph grows
+        const auto& of = node.children;
+        NodeId all = decoration(g, id);
+        if (is_choice(node)) {
+            all = g.add(all, g.add(below[of[0]], below[of[1]]));
+            all = g.add(all, g.select(of[0], of[1], below[of[2]], below[of[3]]));
+        } else {
+            for (std::size_t k = 0; k < node.arity; ++k) all = g.add(all, below[of[k]]);
+        }
+        const bool is_loop = is_over_elements(node.op) && (g[all].arrays >> node.index & 1u) != 0;
+        below[id] = is_loop ? g.sum(node.index, all) : all;
+    }
+    return of_any_element(g, below[root]);
 }
 
 } // namespace isomotion::formula

@@ -4,6 +4,7 @@
 #include <limits>
 #include <unordered_map>
 
+#include "formula/graph/conditions.h"
 #include "formula/graph/continuity.h"
 #include "formula/graph/functions.h"
 #include "formula/graph/lowering.h"
@@ -54,8 +55,10 @@ private:
             const bool rests = g_.is_constant(d(0), 0) && g_.is_constant(d(1), 0);
             return rests ? zero() : jumps(id);
         }
-        case Op::select:
-            return g_.select(a, b, d(2), d(3));
+        case Op::select: {
+            const NodeId slope = g_.select(a, b, d(2), d(3));
+            return is_choice(node) ? g_.add(slope, jumps(id)) : slope;
+        }
         case Op::sum:
             return g_.sum(node.index, d(0));
         case Op::least:

@@ -68,6 +68,18 @@ constexpr std::array table{
 
 std::span<const Function> functions() { return table; }
 
+std::string_view plain_name(std::string_view name) {
+    constexpr std::array<std::array<std::string_view, 2>, 5> others{{{"ln", "log"},
+                                                                     {"arcsin", "asin"},
+                                                                     {"arccos", "acos"},
+                                                                     {"arctan", "atan"},
+                                                                     {"arctan2", "atan2"}}};
+    for (const auto& [other, plain] : others) {
+        if (name == other) return plain;
+    }
+    return name;
+}
+
 const Function* find_function(std::string_view name) {
     for (const std::span<const Function> rows : {functions(), composed_functions()}) {
         const auto row = std::ranges::find(rows, name, &Function::name);

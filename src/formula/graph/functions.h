@@ -29,6 +29,8 @@ struct Function {
 std::span<const Function> functions();
 // Of these, or of composed_functions(); null if there is none.
 const Function* find_function(std::string_view name);
+// The name itself, or the one that it is another name of: log for ln.
+std::string_view plain_name(std::string_view name);
 
 enum class Shader : std::uint8_t {
     built_in,     // a function of GLSL, exact and monotone, so that it maps the ends of intervals

@@ -36,7 +36,7 @@ enum class Op : std::uint8_t {
 #undef ROW
     random,    // random(i, k) in [0, 1): CPU double only
     chebyshev, // `second`-th derivative of T_index(a)
-    select,    // a < b ? c : d
+    select,    // a < b ? c : d; `index`: Graph::select's slope_of
     sum,       // sum of a over the elements of array `index`
     least,     // the least a over them; saturation without elements
     pick,      // b of the first element whose a is least; 0 without elements
@@ -93,7 +93,8 @@ public:
 
     NodeId unary(Op op, NodeId a);
     NodeId binary(Op op, NodeId a, NodeId b);
-    // `slope_of`: min or max if it is the slope of one of a and b, which tapes ask for.
+    // `slope_of`: min or max if it is the slope of one of a and b, which tapes ask for; select if
+    // it is a choice that a formula makes (conditions.h).
     NodeId select(NodeId a, NodeId b, NodeId then, NodeId otherwise, Op slope_of = Op::constant);
     // The `derivative`-th derivative of the Chebyshev polynomial T_degree at a; degree >= 0.
     NodeId chebyshev(int degree, NodeId a, int derivative = 0);

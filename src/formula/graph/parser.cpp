@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <array>
 #include <charconv>
 #include <cmath>
 #include <iterator>
@@ -14,6 +15,7 @@
 
 #include "base/nearest_name.h"
 #include "formula/graph/composed_functions.h"
+#include "formula/graph/conditions.h"
 #include "formula/graph/functions.h"
 #include "formula/graph/limits.h"
 #include "formula/graph/own_functions.h"
@@ -52,9 +54,11 @@ public:
         }
         while (parse_definition()) {
         }
-        NodeId root = expression();
+        NodeId root = value();
         skip_space();
         const std::size_t place = at_;
+        if (vocabulary_.allows_equation && is_choice(graph_[root]) && is_condition(graph_, root))
+            root = solid_of(graph_, root);
         if (vocabulary_.allows_equation && accept('=')) {
             root = checked(graph_.subtract(root, expression()), place, out_of_range);
             skip_space();
@@ -88,7 +92,7 @@ private:
             define_function(word, *arguments, begin);
         } else {
             if (own().find(word)) fail(begin, fmt::format("'{}' is a function already", word));
-            definitions_[std::string(word)] = expression();
+            definitions_[std::string(word)] = value();
         }
         skip_space();
         if (peek() != ';') {
@@ -140,7 +144,7 @@ private:
         body.at_ = at_;
         body.function_ = name;
         body.arguments_ = arguments;
-        const NodeId root = body.expression();
+        const NodeId root = body.value();
         at_ = body.at_;
         own().add(name, {arguments, root});
     }
@@ -192,6 +196,67 @@ private:
         }
     }
 
+    // An expression, a condition, or one of two values: c ? a : b.
+    NodeId value() {
+        const NodeId first = disjunction();
+        skip_space();
+        if (!accept('?')) return first;
+        const Depth depth(*this);
+        const NodeId then = value();
+        expect(':', "between the two values of a choice");
+        return choose(graph_, first, then, value());
+    }
+
+    NodeId disjunction() {
+        NodeId left = conjunction();
+        while (accept_connective("or"))
+            left = choose(graph_, left, graph_.constant(1), condition_of(conjunction()));
+        return left;
+    }
+
+    NodeId conjunction() {
+        NodeId left = negation();
+        while (accept_connective("and") || accept("&&") || accept('&'))
+            left = choose(graph_, left, condition_of(negation()), graph_.constant(0));
+        return left;
+    }
+
+    NodeId negation() {
+        skip_space();
+        if (!accept_connective("not") && !accept('!')) return comparison();
+        const Depth depth(*this);
+        return choose(graph_, negation(), graph_.constant(0), graph_.constant(1));
+    }
+
+    // a < b <= c, too.
+    NodeId comparison() {
+        NodeId left = expression();
+        std::optional<NodeId> all;
+        for (auto sign = accept_comparison(); !sign.empty(); sign = accept_comparison()) {
+            const NodeId right = expression();
+            const bool is_less_than = sign.front() == '<';
+            const NodeId low = is_less_than ? left : right, high = is_less_than ? right : left;
+            const NodeId now =
+                sign.size() == 1 ? is_less(graph_, low, high) : is_at_most(graph_, low, high);
+            all = all ? choose(graph_, *all, now, graph_.constant(0)) : now;
+            left = right;
+        }
+        return all.value_or(left);
+    }
+
+    NodeId condition_of(NodeId number) {
+        return choose(graph_, number, graph_.constant(1), graph_.constant(0));
+    }
+
+    // Their names stay free.
+    bool is_connective(std::string_view word) {
+        return (word == "and" || word == "or" || word == "not") && !named(word);
+    }
+    bool accept_connective(std::string_view word) {
+        skip_space();
+        return peek_name() == word && is_connective(word) && accept(word);
+    }
+
     NodeId expression() {
         const Depth depth(*this);
         NodeId left = term();
@@ -236,8 +301,9 @@ private:
 
     // Whether a product without a sign goes on: 2x, (x+1)(y+1), a sin(x). Within bars the next one
     // closes.
-    bool begins_factor() const {
-        return is_name_start(peek()) || peek() == '(' || text_.substr(at_).starts_with("π") ||
+    bool begins_factor() {
+        if (is_name_start(peek())) return !is_connective(peek_name());
+        return peek() == '(' || text_.substr(at_).starts_with("π") ||
                (peek() == '|' && open_bars_ == 0);
     }
 
@@ -253,8 +319,9 @@ private:
     NodeId power() {
         NodeId base = primary();
         const std::size_t raised = at_;
-        if (const auto exponent = superscript())
+        if (const auto exponent = accept_raised_number())
             base = raise(base, graph_.constant(*exponent), raised);
+        if (accept("⁻")) fail(raised, "expected raised digits after the raised minus");
         skip_space();
         const std::size_t place = at_;
         if (!accept('^')) return base;
@@ -263,30 +330,13 @@ private:
         return raise(base, exponent, place);
     }
 
-    // A whole number of raised digits, as in x² and x⁻¹⁰.
-    std::optional<int> superscript() {
-        constexpr std::array<std::string_view, 10> digits{"⁰", "¹", "²", "³", "⁴",
-                                                          "⁵", "⁶", "⁷", "⁸", "⁹"};
-        constexpr int most = 1'000'000;
-        const std::size_t begin = at_;
-        const bool is_negative = accept("⁻");
-        std::optional<int> number;
-        const auto next_digit = [&] {
-            return std::ranges::find_if(digits, [&](std::string_view d) { return accept(d); });
-        };
-        for (auto digit = next_digit(); digit != digits.end(); digit = next_digit())
-            number = std::min(10 * number.value_or(0) + int(digit - digits.begin()), most);
-        if (is_negative && !number) fail(begin, "expected raised digits after the raised minus");
-        return number ? std::optional(is_negative ? -*number : *number) : std::nullopt;
-    }
-
     // Parses up to a closing character; bars that are open outside are not closed in here.
     NodeId inside(char closing, std::string_view why) {
         const int outside = std::exchange(open_bars_, 0);
-        const NodeId value = expression();
+        const NodeId within = value();
         expect(closing, why);
         open_bars_ = outside;
-        return value;
+        return within;
     }
 
     NodeId absolute_value() {
@@ -381,27 +431,11 @@ private:
         return value;
     }
 
-    // Other names of functions.
-    static std::string_view plain_name(std::string_view name) {
-        constexpr std::array<std::array<std::string_view, 2>, 5> others{{{"ln", "log"},
-                                                                         {"arcsin", "asin"},
-                                                                         {"arccos", "acos"},
-                                                                         {"arctan", "atan"},
-                                                                         {"arctan2", "atan2"}}};
-        for (const auto& [other, plain] : others) {
-            if (name == other) return plain;
-        }
-        return name;
-    }
-
     NodeId called_by(std::string_view name, std::size_t begin) {
         if (name == function_) fail(begin, fmt::format("'{}' calls itself", name));
-        if (name == "arg" || name == "if") {
-            fail(begin,
-                 fmt::format("there is no function '{}': write {}", name,
-                             name == "if" ? "min, max, abs or sign for if, which jumps"
-                                          : "atan2(y, x) for the angle of the point (x, y)"));
-        }
+        if (name == "arg")
+            fail(begin, "there is no function 'arg': write atan2(y, x) for the angle of the point "
+                        "(x, y)");
         if (name == "sum" || name == "least" || name == "greatest")
             return over_elements(name, begin);
         if (name == "chebyshev") return chebyshev();
@@ -449,7 +483,7 @@ private:
         skip_space();
         if (accept(')')) return arguments;
         do {
-            arguments.push_back(expression());
+            arguments.push_back(value());
             skip_space();
         } while (accept(','));
         expect(')', "to close the argument list");
@@ -504,7 +538,7 @@ private:
         }
         expect(',', fmt::format("between the array and the expression of {}", function));
         open_arrays_.push_back({array, function});
-        const NodeId body = expression();
+        const NodeId body = value();
         skip_space();
         const std::size_t second = at_;
         const bool asks = function != "sum" && accept(',');
@@ -513,7 +547,7 @@ private:
                                      "that is for colours: here {}(array, expression)",
                                      function, function));
         }
-        const NodeId asked = asks ? expression() : body;
+        const NodeId asked = asks ? value() : body;
         open_arrays_.pop_back();
         expect(')', fmt::format("to close the {}", function));
         if (function == "sum") return graph_.sum(array, body);

@@ -2,7 +2,9 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cctype>
+#include <optional>
 #include <string_view>
 
 namespace isomotion::formula {
@@ -37,6 +39,30 @@ public:
         if (peek() != c) return false;
         ++at_;
         return true;
+    }
+
+    // A whole number of raised digits, as in x² and x⁻¹⁰. Stays where there is none.
+    std::optional<int> accept_raised_number() {
+        constexpr std::array<std::string_view, 10> digits{"⁰", "¹", "²", "³", "⁴",
+                                                          "⁵", "⁶", "⁷", "⁸", "⁹"};
+        constexpr int most = 1'000'000;
+        const std::size_t begin = at_;
+        const bool is_negative = accept("⁻");
+        std::optional<int> number;
+        const auto next_digit = [&] {
+            return std::ranges::find_if(digits, [&](std::string_view d) { return accept(d); });
+        };
+        for (auto digit = next_digit(); digit != digits.end(); digit = next_digit())
+            number = std::min(10 * number.value_or(0) + int(digit - digits.begin()), most);
+        if (!number) at_ = begin;
+        return number && is_negative ? -*number : number;
+    }
+    // "<", "<=", ">" or ">=".
+    std::string_view accept_comparison() {
+        skip_space();
+        if (accept("<=") || accept("≤")) return "<=";
+        if (accept(">=") || accept("≥")) return ">=";
+        return accept('<') ? "<" : accept('>') ? ">" : "";
     }
 
 protected:
