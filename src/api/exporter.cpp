@@ -222,7 +222,7 @@ Exported Exporter::write_frames(Device& device, const ExportWatcher& watcher) {
                 if (watcher.warn) watcher.warn(whose + slip);
             }
         }
-        const Exported totals = exported(
+        Exported totals = exported(
             exporter.export_frames(*device.parts().context, watcher_of(watcher, frames().size())));
         // Frames that an earlier run wrote may show something.
         const bool is_all = std::size_t(totals.drawn + totals.reused) == frames().size();

@@ -256,7 +256,9 @@ void SceneReader::evaluate() {
 }
 
 void SceneReader::find_bounds() {
-    toml::table& table = listed_ ? listed_->table : *root_["surface"].as_table();
+    toml::table* const own = listed_ ? &listed_->table : root_["surface"].as_table();
+    if (!own) return; // then nothing of it is read, as was told
+    toml::table& table = *own;
     const std::optional<probe::FoundBounds> found = probe::find_bounds(scene_);
     if (!found) {
         fail(table, parts_->bounds_key,
