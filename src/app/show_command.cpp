@@ -126,7 +126,6 @@ int write_scene(const ShowArguments& arguments) {
     return exit_done;
 }
 
-// What one surface is at a frame; `now` is its own.
 // Why no renderer draws it, or nothing.
 std::string why_refused(const scene::OneSurface& one, const shader::Passes& passes) {
     const scene::Output& output = one.scene.output;
@@ -139,6 +138,7 @@ std::string why_refused(const scene::OneSurface& one, const shader::Passes& pass
     return {};
 }
 
+// What one surface is at a frame; `now` is its own.
 void print_surface(const scene::OneSurface& one, const shader::Passes& passes,
                    const scene::OneSurfaceAt& now, int frame) {
     const animation::Values& values = *now.surface.values;

@@ -132,7 +132,7 @@ private:
                 .progress = [&](int done) { progress.show(done); },
                 .tell = [&](const std::string& text) { progress.tell(text); }};
             ending = farm::render_locally(job_, chunks, {workers, arguments_.tries}, watcher);
-            // Also draws what the scene's files make of frames since they changed.
+            // Frames are drawn again here where the scene's files changed behind them.
             if (ending.code == exit_done && !ending.stopped) {
                 progress.show(int(frames_.size()),
                               job_.movies.empty() ? "looking at all frames" : "joining the movie");

@@ -38,13 +38,14 @@ public:
         , left_(evaluations) {}
 
     bool holds(const Region& region) {
-        return prune(region.box, [&](const Box& box) {
-            std::array<Interval, 2> told;
-            program_.point(region.bindings, box, told);
-            if (is_0(told[1]) || told[0].lo > 0 || told[0].hi < 0) return Judged::settled;
-            const bool is_small = longest_side(box, region.box).part <= smallest;
-            return is_small || (left_ -= 2) < 0 ? Judged::refused : Judged::open;
-        });
+        return left_ > 0 && prune(region.box, [&](const Box& box) {
+                   std::array<Interval, 2> told;
+                   program_.point(region.bindings, box, told);
+                   --left_;
+                   if (is_0(told[1]) || told[0].lo > 0 || told[0].hi < 0) return Judged::settled;
+                   const bool is_small = longest_side(box, region.box).part <= smallest;
+                   return is_small || --left_ < 0 ? Judged::refused : Judged::open;
+               });
     }
 
 private:
@@ -112,7 +113,10 @@ private:
     // Whether no element of the one array shows the decoration anywhere. Lines through all elements
     // take longer than boxes through each.
     bool is_at_no_element(NodeId decoration) {
-        if (counts_.size() != 1 || counts_.front() < 2) return false;
+        const auto has_many = [](const Region& region) {
+            return region.bindings.arrays.front().count > 1;
+        };
+        if (counts_.size() != 1 || std::ranges::none_of(regions_, has_many)) return false;
         const Program program = schedule(graph_, std::array{graph_.constant(0), decoration});
         const auto loops = std::ranges::count(program.instructions, Instruction::Kind::loop_begin,
                                               &Instruction::kind);
@@ -120,7 +124,8 @@ private:
         const std::vector<int> one{1};
         Inspection inspection(program, operations_ / (cost(program, one).operations + 1));
         for (const Region& region : regions_) {
-            for (int k = 0; k < counts_.front(); ++k)
+            const int count = region.bindings.arrays.front().count;
+            for (int k = 0; k < count; ++k)
                 if (!inspection.holds(with_one_element(region, std::size_t(k)))) return false;
         }
         return true;

@@ -24,14 +24,19 @@ std::optional<std::size_t> sibling_of(const animation::Animation& animation, int
 bool field_depends(const animation::Animation& animation, std::size_t array, std::size_t field,
                    int on) {
     const int tracks = int(animation.nameable());
+    const animation::Array& of = animation.arrays()[array];
     std::vector<int> open{tracks + int(field)}; // tracks, and fields behind them
     std::set<int> seen;
     while (!open.empty()) {
         const int now = open.back();
         open.pop_back();
-        if (now == on) return true;
-        if (!seen.insert(now).second) continue;
         const auto sibling = sibling_of(animation, now);
+        // A field with one value is a track, too, behind those that can be named.
+        const bool is_it = sibling ? animation.tracks()[std::size_t(on)].name ==
+                                         of.name + "." + of.fields[*sibling].name
+                                   : now == on;
+        if (is_it) return true;
+        if (!seen.insert(now).second) continue;
         const Program* program =
             sibling ? animation.program(array, *sibling) : animation.program(now);
         if (!program) continue;
@@ -150,8 +155,9 @@ bool can_be_held(const scene::Surface& surface, int track) {
     const animation::Animation& animation = surface.animation;
     for (std::size_t a = 0; a < animation.arrays().size(); ++a) {
         for (const std::size_t field : fields_in_order(surface, a)) {
-            if (!field_depends(animation, a, field, track)) continue;
-            for (const int other : named_by(*animation.program(a, field))) {
+            const Program* program = animation.program(a, field);
+            if (!program || !field_depends(animation, a, field, track)) continue;
+            for (const int other : named_by(*program)) {
                 const auto sibling = sibling_of(animation, other);
                 if (sibling && is_column(animation, a, *sibling) &&
                     slot_of(surface, a, *sibling) < 0)

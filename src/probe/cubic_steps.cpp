@@ -59,7 +59,8 @@ std::set<int> telling_frames(const OneSurface& one) {
         return std::clamp(int(std::min(operations_of_frames / operations, double(most))), 1,
                           one.scene.timeline.frames);
     };
-    const bool is_plain = moves.arrays().empty();
+    const bool is_plain =
+        std::ranges::all_of(moves.arrays(), &animation::Array::is_of_formula); // which rest
     std::set<int> frames = even_frames(one, affordable(is_plain ? most_even : most_of_arrays));
     if (is_plain) frames.merge(extreme_frames(one, even_frames(one, affordable(most_sampled))));
     return frames;

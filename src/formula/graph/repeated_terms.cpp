@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <bit>
 #include <cstdint>
+#include <functional>
 #include <map>
 #include <optional>
 #include <tuple>
@@ -14,7 +15,7 @@ namespace isomotion::formula {
 namespace {
 
 constexpr std::size_t fewest_terms = 16, most_fields = 32, most_arrays_made = 8;
-constexpr int most_numbers = 64, most_depth = 64; // of a term
+constexpr int most_numbers = 64, most_depth = 64, largest_term = 1000; // of a term, as a tree
 
 // Operations whose operands may be regrouped.
 enum class Chain { none, sum, least, greatest };
@@ -63,7 +64,9 @@ public:
     int shape(NodeId id) const { return known_[id].shape; }
     // Whether terms of its shape can be told by a few numbers.
     bool is_simple(NodeId id) const {
-        return known_[id].numbers <= most_numbers && known_[id].depth <= most_depth;
+        const Known& known = known_[id];
+        return known.numbers <= most_numbers && known.depth <= most_depth &&
+               known.nodes <= largest_term;
     }
     const Form& form(NodeId id) const { return known_[id].form; }
 
@@ -87,6 +90,7 @@ private:
     struct Known {
         Form form;
         int shape = 0, numbers = 0, depth = 0;
+        int nodes = 1; // of the tree
     };
     using Key = std::tuple<Op, int, int, std::uint64_t, bool, std::vector<int>>;
 
@@ -145,6 +149,7 @@ private:
             if (of->kind == Operand::Kind::number) ++known.numbers;
             if (of->kind != Operand::Kind::expression) continue;
             known.depth = std::max(known.depth, 1 + known_[of->node].depth);
+            known.nodes = std::min(largest_term + 1, known.nodes + known_[of->node].nodes);
             if (!form.is_square || of == form.operands.begin())
                 known.numbers =
                     std::min(most_numbers + 1, known.numbers + known_[of->node].numbers);
@@ -172,6 +177,7 @@ public:
         , nodes_(nodes_below(graph, std::array{root}))
         , shapes_(graph, nodes_)
         , first_array_(first_array)
+        , blended_(blended_nodes())
         , made_(graph.size()) {}
 
     RepeatedTerms run() {
@@ -188,7 +194,8 @@ public:
     }
 
 private:
-    // Nodes of a chain that no other node of the same takes as an operand.
+    // Nodes of a chain that no other node of the same takes as an operand: those of the longest
+    // chains, since few arrays are made.
     std::vector<bool> ends_of_chains() const {
         std::vector<bool> is_end(graph_.size(), false);
         const auto look = [&](NodeId id, Chain above) {
@@ -196,11 +203,49 @@ private:
             if (chain != Chain::none && chain != above) is_end[id] = true;
         };
         look(root_, Chain::none);
+        std::vector<std::size_t> terms(graph_.size(), 1); // of the chain that ends here
         for (const NodeId id : nodes_) {
             const Node& node = graph_[id];
-            for (std::size_t k = 0; k < node.arity; ++k) look(node.children[k], chain_of(node.op));
+            const Chain chain = chain_of(node.op);
+            std::size_t all = 0;
+            for (std::size_t k = 0; k < node.arity; ++k) {
+                look(node.children[k], chain);
+                const bool goes_on = chain_of(graph_[node.children[k]].op) == chain;
+                all += goes_on ? terms[node.children[k]] : 1;
+            }
+            if (chain != Chain::none) terms[id] = std::min(all, nodes_.size());
         }
+        std::vector<NodeId> ends;
+        for (const NodeId id : nodes_) {
+            if (is_end[id] && terms[id] >= fewest_terms) ends.push_back(id);
+            is_end[id] = false;
+        }
+        const std::size_t count = std::min(ends.size(), most_arrays_made);
+        std::ranges::partial_sort(ends, ends.begin() + std::ptrdiff_t(count), std::greater<>(),
+                                  [&](NodeId id) { return terms[id]; });
+        for (std::size_t k = 0; k < count; ++k) is_end[ends[k]] = true;
         return is_end;
+    }
+
+    // Nodes that a logarithm or a power is taken of, but for factors and what is added.
+    std::vector<bool> blended_nodes() const {
+        std::vector<bool> blended(graph_.size(), false);
+        for (auto id = nodes_.rbegin(); id != nodes_.rend(); ++id) {
+            const Node& node = graph_[*id];
+            const auto [a, b, c, d] = node.children;
+            const bool takes = node.op == Op::log || node.op == Op::power || node.op == Op::sqrt;
+            if (takes || (blended[*id] && chain_of(node.op) == Chain::sum)) blended[a] = true;
+            if (blended[*id] && chain_of(node.op) == Chain::sum && node.arity == 2)
+                blended[b] = true;
+            if (blended[*id] && node.op == Op::multiply) blended[a] = blended[b] = true;
+            if (blended[*id] && node.op == Op::divide) blended[a] = true;
+        }
+        return blended;
+    }
+    // Whether a sum of such terms may leave the range of floats where a power of it does not.
+    bool is_steep(NodeId term) const {
+        const Op op = graph_[term].op;
+        return op == Op::exp || op == Op::power || op == Op::multiply;
     }
 
     // In the order in which they are written. Empty if there are more than the graph has nodes.
@@ -231,6 +276,7 @@ private:
         const std::vector<Term> all = terms(end);
         std::map<int, std::vector<Term>> groups;
         for (const Term& term : all) {
+            if (blended_[end] && is_steep(term.node)) continue;
             if (is_alike(term.node)) groups[shapes_.shape(term.node)].push_back(term);
         }
         std::map<int, NodeId> loops; // by the shape of their terms
@@ -249,7 +295,8 @@ private:
                                              : graph_.binary(Op::max, *result, next);
         };
         for (const Term& term : all) {
-            if (is_alike(term.node) && loops.contains(shapes_.shape(term.node))) continue;
+            const bool is_in_loop = is_alike(term.node) && loops.contains(shapes_.shape(term.node));
+            if (is_in_loop && !(blended_[end] && is_steep(term.node))) continue;
             join(graph_.multiply(graph_.constant(term.factor), made_[term.node]));
         }
         for (const auto& loop : loops) join(loop.second);
@@ -317,6 +364,7 @@ private:
     std::vector<NodeId> nodes_;
     Shapes shapes_;
     int first_array_;
+    std::vector<bool> blended_;
     std::vector<NodeId> made_; // in place of each
     std::vector<ElementNumbers> arrays_;
 };

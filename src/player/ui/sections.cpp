@@ -382,8 +382,9 @@ void parameters_of(const scene::OneSurface& one, Look& look, const Session& sess
 
 void parameter_section(Look& look, const Session& session, double time) {
     const std::vector<scene::Surface>& surfaces = session.scene().surfaces;
-    const bool has_none = surfaces.size() == 1 && session.slider_ranges(0).empty() &&
-                          surfaces.front().animation.arrays().empty();
+    const bool has_none =
+        surfaces.size() == 1 && session.slider_ranges(0).empty() &&
+        std::ranges::all_of(surfaces.front().animation.arrays(), &animation::Array::is_of_formula);
     if (has_none || !heading("Parameters")) return;
     const Overrides before = look.overrides;
     for (std::size_t k = 0; k < surfaces.size(); ++k)

@@ -221,7 +221,7 @@ void SceneReader::read_document() {
 void SceneReader::compile() {
     animate();
     const std::size_t arrays = parts_->arrays.size();
-    const bool is_formula_right = make_field(*parts_, mistakes_);
+    const bool is_formula_right = make_field(*parts_, tracks_, mistakes_);
     if (parts_->arrays.size() > arrays) animate();
     if (surface().field) {
         make_paints(material_, *parts_, mistakes_);

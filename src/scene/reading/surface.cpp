@@ -243,13 +243,16 @@ void read_formula(Section& section, SurfaceParts& parts) {
 }
 
 // An array of terms that the formula repeats. No formula can name it.
-void add_terms(formula::ElementNumbers numbers, SurfaceParts& parts) {
-    const std::string name = fmt::format("terms {}", parts.arrays.size() + 1);
+void add_terms(formula::ElementNumbers numbers, SurfaceParts& parts, TrackTable& tracks) {
+    const auto before = std::ranges::count_if(parts.arrays, &animation::Array::is_of_formula);
+    const std::string name = fmt::format("terms {}", before + 1);
+    tracks.place(name + ".count", parts.formula_key, parts.formula_node);
     animation::Array array{name, int(numbers.front().size()), {}};
     array.is_of_formula = true;
     formula::ArrayName names{name, {}};
     for (std::vector<double>& column : numbers) {
         const std::string field = fmt::format("number {}", array.fields.size() + 1);
+        tracks.place(name + "." + field, parts.formula_key, parts.formula_node);
         array.fields.push_back({field, std::move(column)});
         names.fields.push_back({field, {}});
     }
@@ -274,7 +277,7 @@ std::unique_ptr<SurfaceParts> read_surface(Section& section, Section& sections,
     return parts;
 }
 
-bool make_field(SurfaceParts& parts, MistakeList& mistakes) {
+bool make_field(SurfaceParts& parts, TrackTable& tracks, MistakeList& mistakes) {
     if (!parts.are_arrays_known) return false;
     std::vector<formula::ElementNumbers> repeated;
     const auto make = [&](const std::string& formula) {
@@ -291,7 +294,7 @@ bool make_field(SurfaceParts& parts, MistakeList& mistakes) {
         }
     });
     if (!is_right) make("x");
-    for (formula::ElementNumbers& numbers : repeated) add_terms(std::move(numbers), parts);
+    for (formula::ElementNumbers& numbers : repeated) add_terms(std::move(numbers), parts, tracks);
     return is_right;
 }
 

@@ -39,7 +39,7 @@ std::unique_ptr<SurfaceParts> read_surface(Section& section, Section& sections,
 // the animation before makes it again. Returns whether it is right. A mistake is told, and another
 // formula stands in for it. There is no field where the formula's names are not known, as an array
 // is wrong.
-bool make_field(SurfaceParts& parts, MistakeList& mistakes);
+bool make_field(SurfaceParts& parts, TrackTable& tracks, MistakeList& mistakes);
 
 // Adds the array fields that paints read to the data stored for the field.
 void store_elements_of(SurfaceParts& parts, std::span<const formula::Paint* const> paints);

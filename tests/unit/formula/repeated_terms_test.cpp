@@ -121,7 +121,7 @@ TEST(RepeatedTerms, OfSeveralKindsAreSeveralArrays) {
     expect_equal_values(pair, random, 1e-11);
 }
 
-// As a centre of 0 is none that a formula names.
+// "x^2" in place of "(x - 0)^2".
 TEST(RepeatedTerms, TakesACentreOf0ForACentre) {
     std::string text = "-1";
     for (int k = 0; k < 101; ++k) text += fmt::format(" + exp(-(x - {})^2)", k - 50);
