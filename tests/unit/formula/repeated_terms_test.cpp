@@ -171,6 +171,42 @@ TEST(RepeatedTerms, TermsWithOtherExponentsAreOthers) {
     }
 }
 
+// Sums over elements may fade to 0 where a logarithm or a power of the sum is moderate.
+TEST(RepeatedTerms, BlendsStay) {
+    constexpr int seed = 16;
+    Random random(seed);
+    const std::string fades =
+        joined(40, random, " + ", [](Random& r) { return "exp(-400*sqrt(" + ball(r) + "))"; });
+    const std::string powers =
+        joined(40, random, " + ", [](Random& r) { return "abs(x - " + number(r) + ")^30.5"; });
+    for (const std::string& blend :
+         {"-log(" + fades + ")/400 - 0.1", "1 - 0.01*log(3*(2*(" + fades + ") + 0.1))",
+          "(" + powers + ")^(1/30.5) - 1", "sqrt(" + powers + ") - 1"})
+        EXPECT_TRUE(pair_of(blend).arrays.empty()) << blend.substr(0, 100);
+    // Others are moderate themselves.
+    EXPECT_EQ(
+        pair_of("log(" + joined(40, random, " + ", kinds_of_terms[1]) + ") - 1").arrays.size(), 1);
+    EXPECT_EQ(pair_of(fades + " - 0.1").arrays.size(), 1);
+}
+
+// A part that all terms share is a tree of 2^40 nodes.
+TEST(RepeatedTerms, SharedPartsTakeNoTime) {
+    std::string text = "u = a; ";
+    for (int k = 0; k < 40; ++k) text += "u = sin(u)*cos(u); ";
+    text += "x";
+    for (int k = 1; k < 40; ++k) text += fmt::format(" + sin({}*y)*u", k);
+    EXPECT_TRUE(pair_of(text).arrays.empty());
+}
+
+// Of sums that hold one another, the longest get the arrays.
+TEST(RepeatedTerms, RollsTheLongestSums) {
+    std::string text = "s = x; p = y; ";
+    for (int k = 1; k < 200; ++k) text += fmt::format("s = s + sin({}*z); p = p*cos(s); ", k);
+    const Pair pair = pair_of(text + "p - 0.1");
+    ASSERT_FALSE(pair.arrays.empty());
+    for (const ElementNumbers& numbers : pair.arrays) EXPECT_GT(numbers[0].size(), 180);
+}
+
 TEST(RepeatedTerms, StopsAtTheMostArrays) {
     Graph graph;
     NodeId sum = graph.input(0);

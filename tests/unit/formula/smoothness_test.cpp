@@ -22,6 +22,35 @@ std::string words_of(const std::string& text, Interval parameter = 1) {
     return words(of(text, parameter));
 }
 
+// Of a sum over balls about the centres `cx` of each region, whose numbers differ.
+std::string words_of_balls(const std::string& term, const std::vector<std::vector<double>>& cx) {
+    Vocabulary vocabulary;
+    vocabulary.arrays = {{"balls", {{"cx", {}}}}};
+    const Field field = make_field("sum(balls, " + term + ") - 0.3", vocabulary);
+    std::vector<Region> regions;
+    for (const std::vector<double>& centres : cx) {
+        Region& region = regions.emplace_back();
+        region.box = {Interval{-1.5, 1.5}, {-1.5, 1.5}, {-1.5, 1.5}};
+        ArrayColumns<Interval> array{int(centres.size()), {{centres.begin(), centres.end()}}};
+        region.bindings.arrays.push_back(std::move(array));
+    }
+    return words(smoothness(field, regions));
+}
+
+// Elements are looked at one by one, in each region those that it has.
+TEST(Smoothness, OfSumsIsThatOfEachElement) {
+    const std::string pole = "0.01/((x - cx)^2 + y^2 + z^2 + 0.01)";
+    EXPECT_EQ(words_of_balls(pole, {{0.1, 0.5, -0.5}, {0.2}, {}}), "smooth");
+    EXPECT_EQ(words_of_balls(pole, {{0.2}, {0.1, 0.5, -0.5}}), "smooth");
+    std::vector<double> many;
+    for (int k = 0; k < 3000; ++k) many.push_back(0.001 * k - 1.5);
+    EXPECT_EQ(words_of_balls(pole, {many}), "smooth");
+    // Within the bounds from the second region on.
+    const std::string kink = "max(0, 1 - (x - cx)^2 - y^2 - z^2)";
+    EXPECT_EQ(words_of_balls(kink, {{40, 50}, {60, 50, 40}}), "smooth");
+    EXPECT_EQ(words_of_balls(kink, {{40, 50}, {60, 50, 0.2}}), "with kinks");
+}
+
 TEST(Smoothness, OfPolynomialsIsTheirDegree) {
     EXPECT_EQ(words_of("x^2 + y^2 + z^2 - 1"), "polynomial of degree 2");
     EXPECT_EQ(words_of("(x^2 + y^2 + z^2)^3 - p*x*y"), "polynomial of degree 6");

@@ -42,6 +42,18 @@ TEST(Rules, ComeAfterWhatTheyDependOn) {
     EXPECT_TRUE(can_be_held(scene.surfaces[0], b));
 }
 
+// A field that all elements share is a track; lists of other arrays have no rule to follow it.
+TEST(Rules, ListsFollowNoTrackOfAnotherArray) {
+    const auto scene = scene::load_text(
+        "[surface]\nformula = 'sum(d, exp(-9*((x-cx)^2 + y^2 + z^2))) +"
+        " sum(c, r*exp(-9*((x-dx)^2 + y^2 + z^2))) - 0.3'\nbounds = { sphere = 1.5 }\n"
+        "[arrays.d]\ncount = 3\ncx = [0.1, 0.2, 0.3]\n"
+        "[arrays.c]\ncount = 7\ndx = 'sin(i) + r'\nr = 0.5\n",
+        "rules.toml");
+    const scene::Surface& surface = scene.surfaces[0];
+    EXPECT_TRUE(can_be_held(surface, surface.animation.find("c.r").value()));
+}
+
 // As many ways as there are sums: each is gone once.
 TEST(Rules, OfManyWaysTakeNoTime) {
     std::string parameters = "a = 'p60'\np0 = 1\np1 = 1\n";

@@ -108,6 +108,22 @@ TEST(Surfaces, HaveTheirOwnAndWhatTheyShare) {
     EXPECT_EQ(now.surfaces[1].placement.scale, 2);
 }
 
+// Reading takes as long as all of them together.
+TEST(Surfaces, FormulasAreLimitedTogether) {
+    std::string long_one = "s = x; ";
+    for (int k = 0; k < 9'000; ++k) long_one += fmt::format("s = s + 0.001*sin({}*y); ", k);
+    std::string text;
+    for (int k = 0; k < 3; ++k)
+        text += "[[surfaces]]\nformula = '" + long_one + "s'\nbounds = { sphere = 1 }\n";
+    try {
+        load_text(text, "long.toml");
+        FAIL() << "nothing was refused";
+    } catch (const SceneError& error) {
+        EXPECT_THAT(error.what(), testing::HasSubstr("surfaces.3.formula: this formula and those "
+                                                     "before it have more than 100000"));
+    }
+}
+
 TEST(Surfaces, AreAllProvedOrNone) {
     EXPECT_FALSE(read(two).surfaces[0].isolation.certify);
     const Scene scene = read(two, {"surfaces.ring.isolation.certify=true"});
