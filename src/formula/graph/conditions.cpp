@@ -1,12 +1,20 @@
 #include "formula/graph/conditions.h"
 
+#include <algorithm>
 #include <unordered_map>
+#include <unordered_set>
+#include <vector>
 
 namespace isomotion::formula {
 namespace {
 
 // a < b ? then : otherwise
 NodeId choice(Graph& g, NodeId a, NodeId b, NodeId then, NodeId otherwise) {
+    const auto compares_them = [&](NodeId id) {
+        return is_choice(g[id]) && g[id].children[0] == a && g[id].children[1] == b;
+    };
+    if (compares_them(then)) then = g[then].children[2];
+    if (compares_them(otherwise)) otherwise = g[otherwise].children[3];
     if (then == a && otherwise == b) return g.binary(Op::min, a, b);
     if (then == b && otherwise == a) return g.binary(Op::max, a, b);
     const auto is_negative_of = [&](NodeId one, NodeId other) {
@@ -18,85 +26,39 @@ NodeId choice(Graph& g, NodeId a, NodeId b, NodeId then, NodeId otherwise) {
     return g.select(a, b, then, otherwise, Op::select);
 }
 
-// A condition made of choices, followed to its ends.
-class Choosing {
-public:
-    Choosing(Graph& graph, NodeId a, NodeId b)
-        : g_(graph)
-        , a_(a)
-        , b_(b) {}
-
-    NodeId by(NodeId condition) {
-        if (const auto known = made_.find(condition); known != made_.end()) return known->second;
-        const Node node = g_[condition]; // a copy: the graph grows
-        const NodeId made = g_.is_constant(condition) ? (node.value != 0 ? a_ : b_)
-                            : is_condition(g_, condition)
-                                ? choice(g_, node.children[0], node.children[1],
-                                         by(node.children[2]), by(node.children[3]))
-                                : choice(g_, g_.constant(0), g_.unary(Op::abs, condition), a_, b_);
-        made_[condition] = made;
-        return made;
+// The choices that lead from a node to what it may be, and these ends, in ascending order: what is
+// chosen before what chooses. Chains of conditions are long, so nothing recurses.
+std::vector<NodeId> choices_below(const Graph& g, NodeId id) {
+    std::vector<NodeId> all, open{id};
+    std::unordered_set<NodeId> seen;
+    while (!open.empty()) {
+        const NodeId now = open.back();
+        open.pop_back();
+        if (!seen.insert(now).second) continue;
+        all.push_back(now);
+        if (is_choice(g[now])) open.insert(open.end(), {g[now].children[2], g[now].children[3]});
     }
+    std::ranges::sort(all);
+    return all;
+}
 
-private:
-    Graph& g_;
-    NodeId a_, b_;
-    std::unordered_map<NodeId, NodeId> made_;
-};
+bool is_0_or_1(const Graph& g, NodeId id) { return g.is_constant(id, 0) || g.is_constant(id, 1); }
 
-// Conditions share parts: each is looked at once.
-class Conditions {
-public:
-    explicit Conditions(const Graph& graph)
-        : graph_(graph) {}
+// Both: the part's own solid within `where`.
+NodeId cut(Graph& g, NodeId where, NodeId part) { return g.binary(Op::max, where, part); }
 
-    bool has(NodeId id) {
-        const Node& node = graph_[id];
-        if (node.op == Op::constant) return node.value == 0 || node.value == 1;
-        if (!is_choice(node)) return false;
-        if (const auto known = known_.find(id); known != known_.end()) return known->second;
-        return known_[id] = has(node.children[2]) && has(node.children[3]);
-    }
-
-private:
-    const Graph& graph_;
-    std::unordered_map<NodeId, bool> known_;
-};
-
-class Solids {
-public:
-    explicit Solids(Graph& graph)
-        : g_(graph) {}
-
-    NodeId of(NodeId condition) {
-        if (const auto known = made_.find(condition); known != made_.end()) return known->second;
-        const auto [a, b, then, otherwise] = g_[condition].children;
-        const NodeId inside = g_.subtract(a, b); // below 0 where a < b
-        const NodeId made = least(where(inside, then), where(g_.subtract(b, a), otherwise), inside,
-                                  then, otherwise);
-        made_[condition] = made;
-        return made;
-    }
-
-private:
-    // Both: the part's own solid within `where`.
-    NodeId where(NodeId where, NodeId part) {
-        return g_.is_constant(part) ? where : g_.binary(Op::max, where, of(part));
-    }
-
-    // (inside and then) or (outside and otherwise).
-    NodeId least(NodeId first, NodeId second, NodeId inside, NodeId then, NodeId otherwise) {
-        if (g_.is_constant(otherwise, 0)) return first;
-        if (g_.is_constant(then, 0)) return second;
-        if (g_.is_constant(then, 1)) return g_.binary(Op::min, inside, of(otherwise));
-        if (g_.is_constant(otherwise, 1))
-            return g_.binary(Op::min, g_.unary(Op::negate, inside), of(then));
-        return g_.binary(Op::min, first, second);
-    }
-
-    Graph& g_;
-    std::unordered_map<NodeId, NodeId> made_;
-};
+// The solid of a choice by a < b from those of its branches; of a branch that is 0 or 1 there is
+// none.
+NodeId solid_of_choice(Graph& g, const Node& node, NodeId then, NodeId otherwise) {
+    const auto [a, b, c, d] = node.children;
+    const NodeId inside = g.subtract(a, b), outside = g.subtract(b, a); // below 0 where a < b, not
+    const auto is = [&](NodeId branch, double value) { return g.is_constant(branch, value); };
+    if (is(c, 1)) return is(d, 0) ? inside : g.binary(Op::min, inside, otherwise);
+    if (is(d, 1)) return is(c, 0) ? outside : g.binary(Op::min, outside, then);
+    if (is(d, 0)) return cut(g, inside, then);
+    if (is(c, 0)) return cut(g, outside, otherwise);
+    return g.binary(Op::min, cut(g, inside, then), cut(g, outside, otherwise));
+}
 
 } // namespace
 
@@ -111,11 +73,54 @@ NodeId is_at_most(Graph& graph, NodeId a, NodeId b) {
 }
 
 NodeId choose(Graph& graph, NodeId condition, NodeId a, NodeId b) {
-    return Choosing(graph, a, b).by(condition);
+    if (!is_choice(graph[condition]) || !is_condition(graph, condition)) {
+        if (graph.is_constant(condition)) return graph[condition].value != 0 ? a : b;
+        return choice(graph, graph.constant(0), graph.unary(Op::abs, condition), a, b);
+    }
+    std::unordered_map<NodeId, NodeId> made;
+    for (const NodeId id : choices_below(graph, condition)) {
+        const Node node = graph[id]; // a copy: the graph grows
+        const auto& of = node.children;
+        made[id] = is_choice(node)   ? choice(graph, of[0], of[1], made.at(of[2]), made.at(of[3]))
+                   : node.value != 0 ? a
+                                     : b;
+    }
+    return made.at(condition);
 }
 
-bool is_condition(const Graph& graph, NodeId id) { return Conditions(graph).has(id); }
+NodeId are_all(Graph& graph, std::span<const NodeId> conditions) {
+    if (conditions.size() == 1) return conditions[0];
+    const NodeId one = graph.constant(1), zero = graph.constant(0);
+    NodeId all = one;
+    for (auto next = conditions.rbegin(); next != conditions.rend(); ++next)
+        all = choose(graph, *next, all, zero);
+    return all;
+}
 
-NodeId solid_of(Graph& graph, NodeId condition) { return Solids(graph).of(condition); }
+NodeId is_any(Graph& graph, std::span<const NodeId> conditions) {
+    if (conditions.size() == 1) return conditions[0];
+    const NodeId one = graph.constant(1), zero = graph.constant(0);
+    NodeId any = zero;
+    for (auto next = conditions.rbegin(); next != conditions.rend(); ++next)
+        any = choose(graph, *next, one, any);
+    return any;
+}
+
+bool is_condition(const Graph& graph, NodeId id) {
+    return std::ranges::all_of(choices_below(graph, id), [&](NodeId below) {
+        return is_choice(graph[below]) || is_0_or_1(graph, below);
+    });
+}
+
+NodeId solid_of(Graph& graph, NodeId condition) {
+    std::unordered_map<NodeId, NodeId> made;
+    for (const NodeId id : choices_below(graph, condition)) {
+        const Node node = graph[id]; // a copy: the graph grows
+        made[id] = is_choice(node) ? solid_of_choice(graph, node, made.at(node.children[2]),
+                                                     made.at(node.children[3]))
+                                   : id;
+    }
+    return made.at(condition);
+}
 
 } // namespace isomotion::formula

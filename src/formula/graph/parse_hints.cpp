@@ -39,7 +39,7 @@ std::string hint_for_unknown(std::string_view name, const std::vector<std::strin
 
 std::string_view hint_for_sign(std::string_view sign) {
     const bool compares = sign == "<" || sign == ">" || sign == "≤" || sign == "≥";
-    if (compares) return ": a surface is where both sides are equal: write '='";
+    if (compares) return ": a comparison has a value on either side: a < b, a <= b";
     return sign == "%" ? ": write mod(a, b) for the rest of a/b" : "";
 }
 

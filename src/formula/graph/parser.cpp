@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <array>
 #include <charconv>
 #include <cmath>
 #include <iterator>
@@ -57,15 +56,17 @@ public:
         NodeId root = value();
         skip_space();
         const std::size_t place = at_;
-        if (vocabulary_.allows_equation && is_choice(graph_[root]) && is_condition(graph_, root))
-            root = solid_of(graph_, root);
-        if (vocabulary_.allows_equation && accept('=')) {
-            root = checked(graph_.subtract(root, expression()), place, out_of_range);
+        const bool is_equation = vocabulary_.allows_equation && accept('=');
+        if (is_equation) {
+            root = checked(graph_.subtract(root, value()), place, out_of_range);
             skip_space();
             if (peek() == '=') fail(at_, "a formula has one '=' at most");
         }
         if (at_ < text_.size()) fail_unexpected();
-        return root;
+        const bool may_be_solid = vocabulary_.allows_equation && !is_equation;
+        return may_be_solid && is_choice(graph_[root]) && is_condition(graph_, root)
+                   ? solid_of(graph_, root)
+                   : root;
     }
 
 private:
@@ -208,17 +209,15 @@ private:
     }
 
     NodeId disjunction() {
-        NodeId left = conjunction();
-        while (accept_connective("or"))
-            left = choose(graph_, left, graph_.constant(1), condition_of(conjunction()));
-        return left;
+        std::vector<NodeId> all{conjunction()};
+        while (accept_connective("or")) all.push_back(conjunction());
+        return is_any(graph_, all);
     }
 
     NodeId conjunction() {
-        NodeId left = negation();
-        while (accept_connective("and") || accept("&&") || accept('&'))
-            left = choose(graph_, left, condition_of(negation()), graph_.constant(0));
-        return left;
+        std::vector<NodeId> all{negation()};
+        while (accept_connective("and") || accept("&&") || accept('&')) all.push_back(negation());
+        return are_all(graph_, all);
     }
 
     NodeId negation() {
@@ -242,10 +241,6 @@ private:
             left = right;
         }
         return all.value_or(left);
-    }
-
-    NodeId condition_of(NodeId number) {
-        return choose(graph_, number, graph_.constant(1), graph_.constant(0));
     }
 
     // Their names stay free.

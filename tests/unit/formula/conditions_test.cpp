@@ -129,6 +129,34 @@ TEST(Conditions, DescribeSolids) {
     EXPECT_EQ(FieldEvaluator<double>(field).value(test_bindings(), {1, 0, 0}), 0);
 }
 
+// In an equation a condition is a number.
+TEST(Conditions, AreNumbersInEquations) {
+    for (const Point& p : {Point{1, 2, 0}, {-1, 2, 0}}) {
+        const double value = p[0] > 0 ? 1 : 0;
+        EXPECT_EQ(solid_at("if(x > 0, 1, 0) = y", p), value - 2);
+        EXPECT_EQ(solid_at("x > 0 = y", p), value - 2);
+        EXPECT_EQ(solid_at("y = x > 0", p), 2 - value);
+        EXPECT_EQ(solid_at("(x > 0) = 0", p), value);
+    }
+}
+
+// However often a condition is joined with itself, and however many are joined.
+TEST(Conditions, InLongChainsTakeNoTime) {
+    std::string doubled = "c = x < 0; ";
+    for (int k = 0; k < 40; ++k) doubled += "c = c or c; c = c and c; ";
+    EXPECT_EQ(value_at(doubled + "c", {-1, 0, 0}), 1);
+    std::string any = "(x < -2000", every = "(x < 2000";
+    for (int k = 0; k < 2'000; ++k) {
+        any += fmt::format(" or x*x + y < {}", -k);
+        every += fmt::format(" and not x*x + y < {}", -k);
+    }
+    EXPECT_EQ(value_at(any + ")", {1, 0, 0}), 0);
+    EXPECT_EQ(value_at(any + ")", {1, -2000.5, 0}), 1);
+    EXPECT_EQ(value_at(every + ")", {1, 0, 0}), 1);
+    EXPECT_EQ(value_at(every + ")", {1, -500, 0}), 0);
+    EXPECT_LT(solid_at(any.substr(1), {1, -2000.5, 0}), 0);
+}
+
 // What encloses a choice, over boxes that hold the place where it turns and over others.
 TEST(Conditions, AreEnclosedAndJump) {
     constexpr int seed = 23;
