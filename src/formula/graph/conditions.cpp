@@ -42,6 +42,16 @@ std::vector<NodeId> choices_below(const Graph& g, NodeId id) {
     return all;
 }
 
+// 2*(x < y) holds where x < y does.
+NodeId without_factors(const Graph& g, NodeId condition) {
+    while (g[condition].op == Op::multiply) {
+        const NodeId factor = g[condition].children[0]; // where constants are
+        if (!g.is_constant(factor) || g[factor].value == 0) break;
+        condition = g[condition].children[1];
+    }
+    return condition;
+}
+
 bool is_0_or_1(const Graph& g, NodeId id) { return g.is_constant(id, 0) || g.is_constant(id, 1); }
 
 // Both: the part's own solid within `where`.
@@ -73,6 +83,7 @@ NodeId is_at_most(Graph& graph, NodeId a, NodeId b) {
 }
 
 NodeId choose(Graph& graph, NodeId condition, NodeId a, NodeId b) {
+    condition = without_factors(graph, condition);
     if (!is_choice(graph[condition]) || !is_condition(graph, condition)) {
         if (graph.is_constant(condition)) return graph[condition].value != 0 ? a : b;
         return choice(graph, graph.constant(0), graph.unary(Op::abs, condition), a, b);

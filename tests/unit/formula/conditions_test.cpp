@@ -124,6 +124,7 @@ TEST(Conditions, DescribeSolids) {
         EXPECT_EQ(solid_at("not (x^2 + y^2 + z^2 < 1 or z > 0.2)", p) < 0, !(ball || above));
         EXPECT_EQ(solid_at("x^2 + y^2 + z^2 < 1 ? z > 0.2 : x > y", p) < 0, ball ? above : beside);
         EXPECT_EQ(solid_at("0.2 < z < 1", p) < 0, above && z < 1);
+        EXPECT_EQ(solid_at("x^2 + y^2 + z^2 < 1 and 2*(z > 0.2)", p) < 0, ball && above);
     }
     const Field field = make_field("x^2 + y^2 + z^2 <= 1", test_vocabulary());
     EXPECT_EQ(FieldEvaluator<double>(field).value(test_bindings(), {1, 0, 0}), 0);
