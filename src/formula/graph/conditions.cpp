@@ -70,6 +70,17 @@ NodeId solid_of_choice(Graph& g, const Node& node, NodeId then, NodeId otherwise
     return g.binary(Op::min, cut(g, inside, then), cut(g, outside, otherwise));
 }
 
+// Looks at the next condition as long as each one comes out as `goes_on`. The last is made first,
+// so that each is gone through once.
+NodeId joined(Graph& g, std::span<const NodeId> conditions, bool goes_on) {
+    if (conditions.size() == 1) return conditions[0];
+    const NodeId one = g.constant(1), zero = g.constant(0);
+    NodeId rest = goes_on ? one : zero;
+    for (auto next = conditions.rbegin(); next != conditions.rend(); ++next)
+        rest = goes_on ? choose(g, *next, rest, zero) : choose(g, *next, one, rest);
+    return rest;
+}
+
 } // namespace
 
 bool is_choice(const Node& node) { return node.op == Op::select && Op(node.index) == Op::select; }
@@ -100,21 +111,11 @@ NodeId choose(Graph& graph, NodeId condition, NodeId a, NodeId b) {
 }
 
 NodeId are_all(Graph& graph, std::span<const NodeId> conditions) {
-    if (conditions.size() == 1) return conditions[0];
-    const NodeId one = graph.constant(1), zero = graph.constant(0);
-    NodeId all = one;
-    for (auto next = conditions.rbegin(); next != conditions.rend(); ++next)
-        all = choose(graph, *next, all, zero);
-    return all;
+    return joined(graph, conditions, true);
 }
 
 NodeId is_any(Graph& graph, std::span<const NodeId> conditions) {
-    if (conditions.size() == 1) return conditions[0];
-    const NodeId one = graph.constant(1), zero = graph.constant(0);
-    NodeId any = zero;
-    for (auto next = conditions.rbegin(); next != conditions.rend(); ++next)
-        any = choose(graph, *next, one, any);
-    return any;
+    return joined(graph, conditions, false);
 }
 
 bool is_condition(const Graph& graph, NodeId id) {

@@ -257,7 +257,7 @@ void SceneReader::evaluate() {
 
 void SceneReader::find_bounds() {
     toml::table* const own = listed_ ? &listed_->table : root_["surface"].as_table();
-    if (!own) return; // then nothing of it is read, as was told
+    if (!own) return; // mistakes have ended the reading before
     toml::table& table = *own;
     const std::optional<probe::FoundBounds> found = probe::find_bounds(scene_);
     if (!found) {
