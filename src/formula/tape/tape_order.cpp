@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <functional>
+#include <numeric>
 #include <span>
 #include <utility>
 
@@ -201,16 +202,59 @@ Tape values_in_slopes(const Tape& tape, Haste haste) {
     return order.take();
 }
 
-// Each value's slope as soon as the values that it needs are there, as in forward differentiation.
-// A product of long sums needs their values and their slopes; one after the other would keep a
-// value for each term.
-Tape slopes_behind_values(const Tape& tape, const std::vector<bool>& for_values, Haste haste) {
+// The places of all values, in an order that keeps few of them. Slopes have none.
+std::vector<int> short_places(const Tape& tape, const std::vector<bool>& for_values) {
     Order values(tape, Haste::none);
     for (const int output : tape.outputs) {
         if (for_values[std::size_t(output)]) values.add(output);
     }
-    // For each step the last value, in that order, that it needs; -1 without any.
-    std::vector<int> needs(tape.steps.size(), -1);
+    std::vector<int> places;
+    for (std::size_t k = 0; k < tape.steps.size(); ++k) places.push_back(values.place(int(k)));
+    return places;
+}
+
+// The places that steps have by now.
+std::vector<int> written_places(const Tape& tape) {
+    std::vector<int> places(tape.steps.size());
+    std::iota(places.begin(), places.end(), 0);
+    return places;
+}
+
+// Each value's slope as soon as the values that it needs are there, as in forward differentiation.
+// A product of long sums needs their values and their slopes; one after the other would keep a
+// value for each term. Values have these places among each other.
+Tape slopes_behind_values(const Tape& tape, const std::vector<bool>& for_values,
+                          const std::vector<int>& places, Haste haste) {
+    // For each step the last value, in that order, that it needs, as far as `counts` says; -1
+    // without any.
+    const auto last_needed = [&](const auto& counts) {
+        std::vector<int> needs(tape.steps.size(), -1);
+        for (std::size_t k = 0; k < tape.steps.size(); ++k) {
+            const TapeStep& step = tape.steps[k];
+            if (for_values[k]) {
+                if (counts(k)) needs[k] = places[k];
+                continue;
+            }
+            for (std::size_t o = 0; o < step.arity; ++o)
+                needs[k] = std::max(needs[k], needs[std::size_t(step.operands[o])]);
+            if (step.follows >= 0) needs[k] = std::max(needs[k], needs[std::size_t(step.follows)]);
+        }
+        return needs;
+    };
+    // A value that is kept for long is there for slopes whenever they are wanted: x^2, which all
+    // terms share. Slopes that are taken as soon as it is there would only be kept beside it.
+    std::vector<int> last_use(tape.steps.size(), 0); // in that order, about
+    const std::vector<int> all_needs = last_needed([](std::size_t) { return true; });
+    for (std::size_t k = 0; k < tape.steps.size(); ++k) {
+        for (std::size_t o = 0; o < tape.steps[k].arity; ++o) {
+            int& last = last_use[std::size_t(tape.steps[k].operands[o])];
+            last = std::max(last, all_needs[k]);
+        }
+    }
+    constexpr int long_after = 32;
+    const std::vector<int> needs = last_needed([&](std::size_t k) {
+        return !is_leaf(tape.steps[k]) && last_use[k] - places[k] <= long_after;
+    });
     // Slopes that no other step needs before a further value is there, by the last value.
     std::vector<std::vector<int>> slopes(tape.steps.size());
     std::vector<bool> is_needed_at_once(tape.steps.size(), false);
@@ -218,14 +262,11 @@ Tape slopes_behind_values(const Tape& tape, const std::vector<bool>& for_values,
     for (std::size_t k = 0; k < tape.steps.size(); ++k) {
         const TapeStep& step = tape.steps[k];
         if (for_values[k]) {
-            needs[k] = values.place(int(k));
-            value_at.resize(std::max(value_at.size(), std::size_t(needs[k]) + 1));
-            value_at[std::size_t(needs[k])] = int(k);
+            const auto place = std::size_t(places[k]);
+            value_at.resize(std::max(value_at.size(), place + 1), -1);
+            value_at[place] = int(k);
             continue;
         }
-        for (std::size_t o = 0; o < step.arity; ++o)
-            needs[k] = std::max(needs[k], needs[std::size_t(step.operands[o])]);
-        if (step.follows >= 0) needs[k] = std::max(needs[k], needs[std::size_t(step.follows)]);
         for (std::size_t o = 0; o < step.arity; ++o) {
             const auto of = std::size_t(step.operands[o]);
             if (needs[of] == needs[k]) is_needed_at_once[of] = true;
@@ -237,6 +278,7 @@ Tape slopes_behind_values(const Tape& tape, const std::vector<bool>& for_values,
     }
     Order order(tape, haste);
     for (std::size_t at = 0; at < value_at.size(); ++at) {
+        if (value_at[at] < 0) continue;
         order.add(value_at[at]);
         for (const int slope : slopes[at]) order.add(slope);
     }
@@ -315,16 +357,20 @@ Tape in_short_order(const Tape& tape, const std::vector<bool>& is_slope) {
     constexpr int few = 32; // values that another order need not keep fewer than
     Tape best = values_in_slopes(tape, Haste::none);
     int least = most_kept(best);
-    for (const auto& [haste, is_forward] : {std::pair(Haste::none, true),
-                                            {Haste::where_it_frees, false},
-                                            {Haste::where_it_frees, true}}) {
-        if (least <= few) break;
-        Tape other = is_forward ? slopes_behind_values(tape, for_values, haste)
-                                : values_in_slopes(tape, haste);
+    if (least <= few) return best;
+    const auto offer = [&](Tape other) {
         const int most = most_kept(other);
-        if (most >= least) continue;
+        if (most >= least) return;
         least = most;
         best = std::move(other);
+    };
+    const std::vector<int> short_order = short_places(tape, for_values);
+    const std::vector<int> written_order = written_places(tape);
+    for (const Haste haste : {Haste::none, Haste::where_it_frees}) {
+        if (haste != Haste::none && least > few) offer(values_in_slopes(tape, haste));
+        for (const std::vector<int>& places : {short_order, written_order}) {
+            if (least > few) offer(slopes_behind_values(tape, for_values, places, haste));
+        }
     }
     constexpr int many = 500;
     return least > many ? with_cheap_steps_repeated(best) : best;

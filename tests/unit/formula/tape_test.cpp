@@ -5,6 +5,7 @@
 #include <cmath>
 #include <string>
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include "formula/enclosure.h"
@@ -241,6 +242,21 @@ TEST(Tape, KeepsFewValuesOfLongProducts) {
     }
     const Tape tape = tape_of_field("(" + first + ")*exp(" + second + ") - 1");
     EXPECT_LT(registers_of(tape), 40);
+}
+
+// All monomials share the powers of x, y and z. Their slopes wait until the sums that they enter
+// have come to them, though the powers are there from the first.
+TEST(Tape, KeepsFewValuesOfLongPolynomials) {
+    constexpr int degree = 14;
+    std::string monomials = "-0.5";
+    for (int i = 0; i <= degree; ++i) {
+        for (int j = 0; i + j <= degree; ++j) {
+            for (int k = 0; i + j + k <= degree; ++k)
+                monomials +=
+                    fmt::format(" + {}*x^{}*y^{}*z^{}", 0.3 + 0.01 * (i + 2 * j - k), i, j, k);
+        }
+    }
+    EXPECT_LT(registers_of(tape_of_field(monomials)), 100);
 }
 
 // Of what is needed for each of many elements, what is cheap is computed again.
