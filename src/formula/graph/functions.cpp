@@ -68,6 +68,10 @@ constexpr std::array table{
 
 std::span<const Function> functions() { return table; }
 
+bool is_function_name(std::string_view name) {
+    return std::ranges::count(table, name, &Function::name) > 0;
+}
+
 std::string_view plain_name(std::string_view name) {
     constexpr std::array<std::array<std::string_view, 2>, 5> others{{{"ln", "log"},
                                                                      {"arcsin", "asin"},

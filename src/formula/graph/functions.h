@@ -27,6 +27,7 @@ struct Function {
 // Those whose names nothing else may have. Functions of one argument first, in the order of their
 // table.
 std::span<const Function> functions();
+bool is_function_name(std::string_view name); // of one of these
 // Of these, or of composed_functions(); null if there is none.
 const Function* find_function(std::string_view name);
 // The name itself, or the one that it is another name of: log for ln.

@@ -1,8 +1,7 @@
-// A place in a text that is read from its beginning to its end.
+// A place in a formula's text, which is read from its beginning to its end: signs and words as
+// people write them, in plain text, LaTeX, Python, C, MATLAB or Mathematica.
 #pragma once
 
-#include <algorithm>
-#include <array>
 #include <cctype>
 #include <optional>
 #include <string_view>
@@ -16,6 +15,8 @@ inline bool is_name_part(char c) {
     return is_name_start(c) || std::isdigit(static_cast<unsigned char>(c));
 }
 
+enum class Comparison : unsigned char { less, at_most, greater, at_least, same, other };
+
 class TextCursor {
 public:
     explicit TextCursor(std::string_view text, std::size_t at = 0)
@@ -23,15 +24,14 @@ public:
         , at_(at) {}
 
     char peek() const { return at_ < text_.size() ? text_[at_] : '\0'; }
-    std::string_view peek_name() const {
-        if (!is_name_start(peek())) return {};
-        std::size_t end = at_ + 1;
-        while (end < text_.size() && is_name_part(text_[end])) ++end;
-        return text_.substr(at_, end - at_);
-    }
-    void skip_space() { at_ = std::min(text_.find_first_not_of(" \t\r\n", at_), text_.size()); }
+    std::string_view rest() const { return text_.substr(at_); }
+    std::string_view peek_name() const { return name_at(at_); }
+
+    // Passes what stands for nothing: blanks of all kinds, and LaTeX's \left, \right and \,.
+    void skip_space();
+
     bool accept(std::string_view characters) {
-        if (!text_.substr(at_).starts_with(characters)) return false;
+        if (!rest().starts_with(characters)) return false;
         at_ += characters.size();
         return true;
     }
@@ -41,31 +41,41 @@ public:
         return true;
     }
 
+    // A name, without what stands before it: sin of \sin, np.sin, Math.sin and std::sin. `place`
+    // becomes its own. Empty, and nothing is passed, where there is none.
+    std::string_view accept_word(std::size_t& place);
+    // Whether a word begins here, a backslash before it included.
+    bool begins_word() const { return is_name_start(peek()) || begins_command(); }
+
+    bool accept_minus() { return accept('-') || accept("−"); }
+    bool accept_times();
+    bool accept_over() { return accept('/') || accept("./") || accept("÷") || accept("\\div"); }
+    bool accept_power() { return accept('^') || accept("**") || accept(".^"); }
     // A whole number of raised digits, as in x² and x⁻¹⁰. Stays where there is none.
-    std::optional<int> accept_raised_number() {
-        constexpr std::array<std::string_view, 10> digits{"⁰", "¹", "²", "³", "⁴",
-                                                          "⁵", "⁶", "⁷", "⁸", "⁹"};
-        constexpr int most = 1'000'000;
-        const std::size_t begin = at_;
-        const bool is_negative = accept("⁻");
-        std::optional<int> number;
-        const auto next_digit = [&] {
-            return std::ranges::find_if(digits, [&](std::string_view d) { return accept(d); });
-        };
-        for (auto digit = next_digit(); digit != digits.end(); digit = next_digit())
-            number = std::min(10 * number.value_or(0) + int(digit - digits.begin()), most);
-        if (!number) at_ = begin;
-        return number && is_negative ? -*number : number;
-    }
-    // "<", "<=", ">" or ">=".
-    std::string_view accept_comparison() {
-        skip_space();
-        if (accept("<=") || accept("≤")) return "<=";
-        if (accept(">=") || accept("≥")) return ">=";
-        return accept('<') ? "<" : accept('>') ? ">" : "";
-    }
+    std::optional<int> accept_raised_number();
+    // A character that is a fraction, as ½.
+    std::optional<double> accept_fraction();
+    // `enclosed`: within parentheses, where == compares. Elsewhere it makes an equation.
+    std::optional<Comparison> accept_comparison(bool enclosed);
+    bool accept_equals() { return accept("==") || accept('='); }
+    // What opens a list of arguments or a part of a formula: the character that closes it.
+    std::optional<char> accept_opening();
+
+    // How many parts, with commas between them, stand within the parentheses that begin here; 0
+    // where none do.
+    int parts_ahead() const;
 
 protected:
+    std::string_view name_at(std::size_t at) const;
+    bool begins_command() const {
+        return peek() == '\\' && at_ + 1 < text_.size() && is_name_start(text_[at_ + 1]);
+    }
+    // Whether LaTeX's command `name`, with its backslash, stands here.
+    bool is_command(std::string_view name) const {
+        return rest().starts_with(name) && name_at(at_ + 1).size() + 1 == name.size();
+    }
+    bool accept_command(std::string_view name) { return is_command(name) && accept(name); }
+
     std::string_view text_;
     std::size_t at_;
 };

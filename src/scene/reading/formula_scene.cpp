@@ -1,6 +1,7 @@
 #include "scene/reading/formula_scene.h"
 
 #include <algorithm>
+#include <array>
 #include <cctype>
 #include <filesystem>
 #include <string_view>
@@ -104,7 +105,10 @@ bool moves_something(std::string_view setting) {
 bool is_formula(const std::string& name) {
     const auto extension = std::filesystem::path(name).extension();
     if (extension == ".toml" || extension == ".jsurf" || extension == ".pov") return false;
-    return name.find_first_of("=^*+()|<>%") != name.npos || is_made_of_known_words(name);
+    constexpr std::array<std::string_view, 5> signs{"≤", "≥", "≠", "√", "\\"};
+    const auto is_in_name = [&](std::string_view sign) { return name.find(sign) != name.npos; };
+    return name.find_first_of("=^*+()|<>%") != name.npos ||
+           std::ranges::any_of(signs, is_in_name) || is_made_of_known_words(name);
 }
 
 toml::table scene_of_formula(const std::string& formula, std::span<const std::string> settings) {

@@ -1,0 +1,233 @@
+#include "formula/graph/formula_parser.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "base/nearest_name.h"
+#include "formula/graph/composed_functions.h"
+#include "formula/graph/spelling.h"
+#include "formula/graph/substitute.h"
+
+namespace isomotion::formula {
+namespace {
+
+std::vector<std::string> function_names() {
+    std::vector<std::string> names;
+    for (const std::span<const Function> rows : {functions(), composed_functions()}) {
+        for (const Function& function : rows) names.emplace_back(function.name);
+    }
+    return names;
+}
+
+} // namespace
+
+NodeId FormulaParser::call_own(const OwnFunction& function, std::string_view name,
+                               std::size_t begin) {
+    const std::vector<NodeId> arguments = argument_list();
+    if (arguments.size() != function.arguments.size()) {
+        fail(begin, fmt::format("{}({}) takes {} argument{}, not {}", name,
+                                join(function.arguments), function.arguments.size(),
+                                function.arguments.size() == 1 ? "" : "s", arguments.size()));
+    }
+    std::vector<int> open;
+    for (const OpenLoop& loop : open_arrays_) open.push_back(loop.array);
+    if (const auto array = own().array_of(function, open)) {
+        fail(begin, fmt::format("'{}' goes through '{}', and is called where that is done", name,
+                                vocabulary_.arrays[std::size_t(*array)].name));
+    }
+    work() += own().work_of(function);
+    if (work() > limits::calls_work) fail(begin, "the formula calls large functions too often");
+    const std::size_t first = graph_.size();
+    const NodeId value = own().call(graph_, function, arguments);
+    check_constants(first, name, begin);
+    check_size();
+    return value;
+}
+
+void FormulaParser::check_constants(std::size_t first, std::string_view name,
+                                    std::size_t place) const {
+    if (has_undefined_constant(graph_, first))
+        fail(place, fmt::format("{} is not defined here", name));
+}
+
+NodeId FormulaParser::call(std::string_view called, std::size_t begin, char closing) {
+    const Enclosed enclosed(*this, closing);
+    const OwnFunction* function = own().find(called);
+    return function ? call_own(*function, called, begin) : called_by(plain_name(called), begin);
+}
+
+NodeId FormulaParser::called_by(std::string_view name, std::size_t begin) {
+    if (name == function_) fail(begin, fmt::format("'{}' calls itself", name));
+    if (name == "sum" || name == "least" || name == "greatest") return over_elements(name, begin);
+    if (name == "chebyshev") return chebyshev();
+    if (name == "dot") return dot(begin);
+    const Function* function = find_function(name);
+    if (!function) {
+        fail(begin, fmt::format("there is no function '{}'{}", name,
+                                hint_for_call(name, function_names())));
+    }
+    const std::size_t first_argument = at_;
+    const std::vector<NodeId> arguments = argument_list(name == "length");
+    if (name == "random" && !vocabulary_.allows_random) {
+        fail(begin, "random is for animation: give a parameter or an array field its value "
+                    "with random(i, k), not the formula");
+    }
+    need_arguments(*function, arguments.size(), begin);
+    if (name == "pow") return raise(arguments[0], arguments[1], begin);
+    const std::string undefined = fmt::format("{} is not defined here", name);
+    if (function->has_value && graph_.is_constant(arguments[0]) &&
+        !function->has_value(graph_[arguments[0]].value)) {
+        fail(first_argument, undefined);
+    }
+    const std::size_t first = graph_.size();
+    const NodeId value = checked(function->call(graph_, arguments), first_argument, undefined);
+    if (!is_function_name(name)) check_constants(first, name, first_argument);
+    return value;
+}
+
+void FormulaParser::need_arguments(const Function& function, std::size_t given,
+                                   std::size_t begin) const {
+    constexpr std::array words{"no", "one", "two", "three"};
+    if (function.may_have_more) {
+        if (given >= function.count) return;
+        fail(begin, fmt::format("{} takes {} or more", function.name, words.at(function.count)));
+    }
+    if (given == function.count) return;
+    const bool are_two = function.count == 1 && given == 2;
+    const std::string_view instead = are_two && function.name == "atan" ? ": write atan2(y, x)"
+                                     : are_two && function.name == "log"
+                                         ? ": write log(a)/log(b) for a logarithm to the base b"
+                                         : "";
+    fail(begin, fmt::format("{} takes {} argument{}, not {}{}", function.name, function.count,
+                            function.count == 1 ? "" : "s", given, instead));
+}
+
+std::optional<std::vector<NodeId>> FormulaParser::accept_vector() {
+    skip_space();
+    const std::size_t begin = at_;
+    std::size_t place = begin;
+    const std::string_view word = accept_word(place);
+    constexpr std::array<std::string_view, 4> kinds{"vec2", "vec3", "float2", "float3"};
+    if (std::ranges::count(kinds, word) > 0 && accept('(')) {
+        const Enclosed enclosed(*this, ')');
+        return argument_list(false);
+    }
+    if (const auto parts = is_point(word) ? parts_of_point() : std::nullopt) {
+        skip_space();
+        if (peek() == ',' || peek() == closing_) return parts;
+    }
+    at_ = begin;
+    return std::nullopt;
+}
+
+std::optional<std::vector<NodeId>> FormulaParser::parts_of_point() {
+    std::string_view letters = "xyz";
+    if (accept('.')) {
+        letters = peek_name();
+        at_ += letters.size();
+    }
+    std::vector<NodeId> parts;
+    for (const char& letter : letters) {
+        const auto input = names_.input({&letter, 1});
+        if (!input) return std::nullopt;
+        parts.push_back(graph_.input(*input));
+    }
+    return parts;
+}
+
+std::vector<NodeId> FormulaParser::argument_list(bool takes_vectors) {
+    std::vector<NodeId> arguments;
+    skip_space();
+    if (accept(closing_)) return arguments;
+    do {
+        const std::optional<std::vector<NodeId>> parts =
+            takes_vectors ? accept_vector() : std::nullopt;
+        if (parts)
+            arguments.insert(arguments.end(), parts->begin(), parts->end());
+        else
+            arguments.push_back(value());
+        skip_space();
+    } while (accept(','));
+    expect_closing("to close the argument list");
+    return arguments;
+}
+
+// dot(p, vec3(a, b, c)), and dot(a, b, c, d) of two vectors' parts.
+NodeId FormulaParser::dot(std::size_t begin) {
+    const std::vector<NodeId> parts = argument_list(true);
+    const std::size_t half = parts.size() / 2;
+    if (half == 0 || parts.size() % 2 != 0)
+        fail(begin, "dot takes two vectors, with as many parts each");
+    NodeId sum = graph_.constant(0);
+    for (std::size_t k = 0; k < half; ++k)
+        sum = graph_.add(sum, graph_.multiply(parts[k], parts[half + k]));
+    return checked(sum, begin, out_of_range);
+}
+
+NodeId FormulaParser::chebyshev() {
+    skip_space();
+    const std::size_t place = at_;
+    const NodeId degree = expression();
+    const double n = graph_.is_constant(degree) ? graph_[degree].value : -1;
+    if (n < 0 || n != std::floor(n) || n > limits::chebyshev_degree) {
+        fail(place, fmt::format("the degree of chebyshev(n, x) must be a constant integer from "
+                                "0 to {}",
+                                limits::chebyshev_degree));
+    }
+    expect(',', "between the degree and the argument of chebyshev");
+    const NodeId argument = expression();
+    expect_closing("to close the argument list");
+    return graph_.chebyshev(int(n), argument);
+}
+
+NodeId FormulaParser::over_elements(std::string_view function, std::size_t begin) {
+    skip_space();
+    const std::size_t place = at_;
+    const std::string_view word = peek_name();
+    at_ += word.size();
+    int array = -1;
+    std::vector<std::string> known;
+    for (std::size_t k = 0; k < vocabulary_.arrays.size(); ++k) {
+        known.push_back(vocabulary_.arrays[k].name);
+        if (vocabulary_.arrays[k].name == word) array = int(k);
+    }
+    if (array < 0) {
+        const std::string near = base::nearest_name(word, known);
+        fail(place,
+             known.empty()
+                 ? fmt::format("{} needs an array, and the scene has none: add [arrays.name]",
+                               function)
+                 : fmt::format("{}(array, expression): there is no array '{}'{}", function, word,
+                               near.empty() ? fmt::format("; known: {}", join(known))
+                                            : fmt::format("; did you mean '{}'?", near)));
+    }
+    for (const OpenLoop& open : open_arrays_) {
+        if (open.array == array) {
+            fail(begin, fmt::format("a {} over '{}' inside a {} over '{}'", function, word,
+                                    open.function, word));
+        }
+    }
+    expect(',', fmt::format("between the array and the expression of {}", function));
+    open_arrays_.push_back({array, function});
+    const NodeId body = value();
+    skip_space();
+    const std::size_t second = at_;
+    const bool asks = function != "sum" && accept(',');
+    if (asks && !vocabulary_.allows_picks) {
+        fail(second, fmt::format("a formula jumps where what is asked of the {} element does; "
+                                 "that is for colours: here {}(array, expression)",
+                                 function, function));
+    }
+    const NodeId asked = asks ? value() : body;
+    open_arrays_.pop_back();
+    expect_closing(fmt::format("to close the {}", function));
+    if (function == "sum") return graph_.sum(array, body);
+    const bool is_least = function == "least";
+    const NodeId key = is_least ? body : graph_.unary(Op::negate, body);
+    if (asks) return graph_.pick(array, key, asked);
+    const NodeId least = graph_.least(array, key);
+    return is_least ? least : graph_.unary(Op::negate, least);
+}
+
+} // namespace isomotion::formula
