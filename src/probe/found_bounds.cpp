@@ -24,8 +24,6 @@ struct Box {
 
 Box hull(const Box& a, const Box& b) { return {glm::min(a.low, b.low), glm::max(a.high, b.high)}; }
 
-constexpr Box everywhere{glm::dvec3(-FoundBounds::reach), glm::dvec3(FoundBounds::reach)};
-
 // Operations on intervals, of all groups of frames together; operations of the frames' values; and
 // boxes that are looked at in turn.
 constexpr double most_evaluated = 1e8, most_of_frames = 3e7;
@@ -96,8 +94,10 @@ public:
         each_ = 1 + formula::cost(program, counts).operations;
     }
 
-    // Halves boxes along all axes as far as `levels` and work allow.
-    std::vector<Box> of(const Box& whole, int levels) {
+    // Halves boxes along all axes as far as `levels` and work allow. Goes on with those alone that
+    // `matters` names.
+    template<class Matters>
+    std::vector<Box> of(const Box& whole, int levels, const Matters& matters) {
         std::vector<Box> boxes{whole};
         for (int level = 0; level < levels && !boxes.empty(); ++level) {
             if (8 * boxes.size() > most_boxes) break;
@@ -108,8 +108,12 @@ public:
             }
             left_ -= work;
             boxes = kept(eighths(boxes));
+            std::erase_if(boxes, [&](const Box& box) { return !matters(box); });
         }
         return boxes;
+    }
+    std::vector<Box> of(const Box& whole, int levels) {
+        return of(whole, levels, [](const Box&) { return true; });
     }
     // Whether there was more work than is allowed.
     bool was_cut_short() const { return was_cut_short_; }
@@ -151,22 +155,30 @@ private:
     bool was_cut_short_ = false;
 };
 
-bool reaches_out(const Box& box) {
-    return glm::any(glm::lessThanEqual(box.low, everywhere.low)) ||
-           glm::any(glm::greaterThanEqual(box.high, everywhere.high));
+bool reaches_out(const Box& box, const Box& of) {
+    return glm::any(glm::lessThanEqual(box.low, of.low)) ||
+           glm::any(glm::greaterThanEqual(box.high, of.high));
 }
 
-// Looks closer about what is small, a few times. None where work ended before boxes kept off the
-// reach.
-std::optional<std::vector<Box>> boxes_of(const formula::Program& program, const Values& values,
-                                         double operations) {
-    constexpr int levels = 6, turns = 6;
+// Where in a box a surface lies at some values.
+struct Within {
+    bool reaches_out = false; // then not all boxes are there
+    bool is_known = true;     // else the work ended before boxes kept off the faces
+    std::vector<Box> boxes;
+};
+
+// Looks closer about what is small, a few times.
+Within surface_within(const Box& everywhere, const formula::Program& program, const Values& values,
+                      double operations) {
+    constexpr int levels = 6, turns = 6, levels_at_faces = 5;
     Cover covering(program, values, operations);
+    const auto is_out = [&](const Box& box) { return reaches_out(box, everywhere); };
+    // Most surfaces that go on are told by the faces, which are fewer boxes.
+    const bool is_first = everywhere.high.x == FoundBounds::reach;
+    if (!is_first && !covering.of(everywhere, levels_at_faces, is_out).empty())
+        return {true, !covering.was_cut_short(), {}};
     std::vector<Box> boxes = covering.of(everywhere, levels);
-    if (std::ranges::any_of(boxes, reaches_out)) {
-        if (covering.was_cut_short()) return std::nullopt;
-        return boxes;
-    }
+    if (std::ranges::any_of(boxes, is_out)) return {true, !covering.was_cut_short(), {}};
     Box whole = everywhere;
     for (int turn = 1; turn < turns && !boxes.empty(); ++turn) {
         Box about = boxes.front();
@@ -176,7 +188,21 @@ std::optional<std::vector<Box>> boxes_of(const formula::Program& program, const 
         whole = about;
         boxes = covering.of(about, levels);
     }
-    return boxes;
+    return {false, true, std::move(boxes)};
+}
+
+// The same at any of the values.
+Within surface_within(double reach, const formula::Program& program,
+                      const std::vector<Values>& values) {
+    const Box everywhere{glm::dvec3(-reach), glm::dvec3(reach)};
+    Within all;
+    for (const Values& some : values) {
+        const Within now =
+            surface_within(everywhere, program, some, most_evaluated / double(values.size()));
+        if (now.reaches_out) return now;
+        all.boxes.insert(all.boxes.end(), now.boxes.begin(), now.boxes.end());
+    }
+    return all;
 }
 
 // A radius that a person would write, and no smaller one.
@@ -197,11 +223,12 @@ std::optional<FoundBounds> find_bounds(const OneSurface& one) {
     const auto values = values_of_frames(one);
     if (!values) return std::nullopt;
     std::vector<Box> all;
-    for (const Values& some : *values) {
-        const auto boxes = boxes_of(program, some, most_evaluated / double(values->size()));
-        if (!boxes) return std::nullopt;
-        if (std::ranges::any_of(*boxes, reaches_out)) return FoundBounds{};
-        all.insert(all.end(), boxes->begin(), boxes->end());
+    for (double reach = FoundBounds::reach; reach <= FoundBounds::farthest && all.empty();
+         reach *= FoundBounds::wider) {
+        Within found = surface_within(reach, program, *values);
+        if (!found.is_known && reach == FoundBounds::reach) return std::nullopt;
+        if (!found.is_known) break;
+        all = std::move(found.boxes);
     }
     if (all.empty()) return FoundBounds{};
     Box about = all.front();

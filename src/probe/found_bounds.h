@@ -10,9 +10,10 @@
 namespace isomotion::probe {
 
 struct FoundBounds {
-    // The search for the surface covers -reach to reach along each axis.
-    static constexpr double reach = 10;
-    // The radius if the surface extends beyond that, or if no surface is found.
+    // The search for the surface covers -reach to reach along each axis, and goes on to reaches
+    // that are `wider` times as large each, up to `farthest`, until one holds the surface.
+    static constexpr double reach = 10, wider = 8, farthest = 3e6;
+    // The radius if the surface extends beyond them all, or if no surface is found.
     static constexpr double otherwise = 3;
 
     glm::dvec3 centre{0};

@@ -343,6 +343,9 @@ ISOMOTION_WIDER void Evaluator<T>::run(const Bindings<T>& bindings) {
         case Op::which:
             assert(!"turned into a loop");
             break;
+        case Op::at:
+            assert(!"put in its place by a call");
+            break;
         }
     }
 }

@@ -10,6 +10,14 @@
 
 namespace isomotion::formula {
 
+OwnFunctions FormulaParser::definitions() {
+    while (parse_definition()) {
+    }
+    skip_space();
+    if (at_ < text_.size()) fail_unexpected();
+    return std::move(own_functions_);
+}
+
 NodeId FormulaParser::formula() {
     if (text_.size() > limits::formula_bytes) {
         fail(limits::formula_bytes, fmt::format("the formula has {} bytes; at most {} are read",
@@ -76,6 +84,7 @@ bool FormulaParser::parse_definition() {
         define_function(word, *arguments, begin);
     } else {
         if (own().find(word)) fail(begin, fmt::format("'{}' is a function already", word));
+        const Enclosed enclosed(*this, ';');
         definitions_[std::string(word)] = value();
     }
     skip_space();
@@ -126,6 +135,7 @@ void FormulaParser::define_function(std::string_view name,
     body.at_ = at_;
     body.function_ = name;
     body.arguments_ = arguments;
+    body.is_enclosed_ = true;
     const NodeId root = body.value();
     at_ = body.at_;
     own().add(name, {arguments, root});
@@ -184,9 +194,13 @@ NodeId FormulaParser::checked(NodeId node, std::size_t place, std::string_view m
     fail(place, std::string(message));
 }
 
-void FormulaParser::fail_without_parentheses(std::string_view name, std::size_t begin) const {
+void FormulaParser::fail_without_parentheses(std::string_view name, std::size_t begin) {
     const Function* function = find_function(name);
-    const std::string call = fmt::format("{}({})", name, function ? function->arguments : "...");
+    const Defined defined = defined_function(name);
+    const std::string call = fmt::format("{}({})", name,
+                                         function  ? std::string(function->arguments)
+                                         : defined ? join(defined.function->arguments)
+                                                   : "...");
     const std::string_view rest = text_.substr(at_);
     const bool is_power = rest.starts_with('^') || rest.starts_with("²") || rest.starts_with("³");
     fail(begin, is_power ? fmt::format("the power of a function: write '{}^...'", call)

@@ -29,9 +29,12 @@ public:
         : TextCursor(text)
         , names_(names)
         , vocabulary_(names.vocabulary())
-        , graph_(graph) {}
+        , graph_(graph)
+        , is_enclosed_(!vocabulary_.allows_equation) {}
 
     NodeId formula();
+    // Reads definitions alone, and gives their functions away.
+    OwnFunctions definitions();
 
 private:
     // Definitions, and what names mean (formula_parser.cpp).
@@ -55,7 +58,7 @@ private:
     std::optional<NodeId> defined(std::string_view word) const;
     // A constant that isn't finite has no literal in a shader.
     NodeId checked(NodeId node, std::size_t place, std::string_view message) const;
-    [[noreturn]] void fail_without_parentheses(std::string_view name, std::size_t begin) const;
+    [[noreturn]] void fail_without_parentheses(std::string_view name, std::size_t begin);
     [[noreturn]] void fail_unknown(std::string_view word, std::size_t begin) const;
 
     // Operators and values (parse_values.cpp).
@@ -97,7 +100,17 @@ private:
     NodeId number();
 
     // Calls (parse_calls.cpp).
-    NodeId call_own(const OwnFunction& function, std::string_view name, std::size_t begin);
+    // A function that the formula defines or that the library has; none of either.
+    struct Defined {
+        const OwnFunctions* owner = nullptr;
+        const OwnFunction* function = nullptr;
+        explicit operator bool() const { return function; }
+    };
+    Defined defined_function(std::string_view name);
+    NodeId call_defined(const Defined& defined, const std::vector<NodeId>& arguments,
+                        std::string_view name, std::size_t begin);
+    // f(x - 1, y, z), where f is an argument or a named part: it at another point.
+    std::optional<NodeId> at_another_point(std::string_view word);
     void check_constants(std::size_t first, std::string_view name, std::size_t place) const;
     NodeId call(std::string_view called, std::size_t begin, char closing);
     NodeId called_by(std::string_view name, std::size_t begin);
@@ -105,6 +118,8 @@ private:
     // The parts of a vector, where one is an argument: vec2(a, b), p for the point, p.xy. Stays
     // where there is none.
     std::optional<std::vector<NodeId>> accept_vector();
+    // A function of x, y and z that stands for its value: twist(body, 2).
+    std::optional<NodeId> function_at_the_point(std::string_view word, std::size_t begin);
     // Behind p: nothing, or .xy and the like.
     std::optional<std::vector<NodeId>> parts_of_point();
     std::vector<NodeId> argument_list(bool takes_vectors = false);
@@ -179,7 +194,7 @@ private:
     int depth_ = 0;
     int open_bars_ = 0;                 // absolute values that wait for their closing bar
     bool is_compared_ = false;          // behind a comparison's sign
-    bool is_enclosed_ = false;          // by parentheses
+    bool is_enclosed_;                  // by parentheses, or where no equation may be
     char closing_ = ')';                // of the arguments that are read
     std::vector<OpenLoop> open_arrays_; // arrays being gone through
     std::map<std::string, NodeId, std::less<>> definitions_;

@@ -392,6 +392,13 @@ NodeId Graph::select(NodeId a, NodeId b, NodeId then, NodeId otherwise, Op slope
     return intern(node);
 }
 
+NodeId Graph::at(int input, const std::array<NodeId, 3>& point) {
+    Node node = leaf(Op::at, input);
+    node.arity = 3;
+    std::ranges::copy(point, node.children.begin());
+    return intern(node);
+}
+
 NodeId Graph::chebyshev(int degree, NodeId a, int derivative) {
     assert(degree >= 0 && derivative >= 0);
     if (derivative > degree) return constant(0);
@@ -488,6 +495,8 @@ std::string_view name(Op op) {
         return "chebyshev";
     case Op::select:
         return "select";
+    case Op::at:
+        return "at";
     case Op::sum:
         return "sum";
     case Op::least:

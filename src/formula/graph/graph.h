@@ -41,6 +41,8 @@ enum class Op : std::uint8_t {
     least,     // the least a over them; saturation without elements
     pick,      // b of the first element whose a is least; 0 without elements
     which,     // the number of that element, from 1; 0 without elements: for continuity.h
+    at,        // the expression that input `index` stands for, at the point (a, b, c): only in the
+               // bodies of functions (own_functions.h)
 };
 
 constexpr bool is_arithmetic(Op op) {
@@ -101,6 +103,7 @@ public:
     NodeId sum(int array, NodeId body);
     NodeId least(int array, NodeId key) { return over_elements(Op::least, array, key); }
     NodeId pick(int array, NodeId key, NodeId value);
+    NodeId at(int input, const std::array<NodeId, 3>& point);
     NodeId which(int array, NodeId key) { return over_elements(Op::which, array, key); }
     // a^n as a product of squares; x^2, x^4 and x^6 of one formula share them.
     NodeId integer_power(NodeId a, int n);

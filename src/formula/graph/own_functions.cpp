@@ -18,15 +18,38 @@ const OwnFunction* OwnFunctions::find(std::string_view name) const {
     return found == functions_.end() ? nullptr : &found->second;
 }
 
+std::vector<std::string> OwnFunctions::names() const {
+    std::vector<std::string> names;
+    for (const auto& [name, function] : functions_) names.push_back(name);
+    return names;
+}
+
 NodeId OwnFunctions::call(Graph& to, const OwnFunction& function,
                           std::span<const NodeId> arguments) const {
     const bool is_within_body = &to == &bodies_;
-    const auto in_its_place = [&](Graph&, const Node& node, NodeId rebuilt) {
+    const auto in_its_place = [&](Graph& graph, const Node& node, NodeId rebuilt) {
+        if (node.op == Op::at) {
+            const auto& of = graph[rebuilt].children;
+            const std::array<NodeId, 3> point{of[0], of[1], of[2]};
+            if (node.index < first_outside)
+                return at_point(graph, arguments[std::size_t(node.index - first_argument)], point);
+            return is_within_body ? rebuilt
+                                  : at_point(graph, NodeId(node.index - first_outside), point);
+        }
         if (node.op != Op::input || node.index < first_argument) return rebuilt;
         if (node.index < first_outside) return arguments[std::size_t(node.index - first_argument)];
         return is_within_body ? rebuilt : NodeId(node.index - first_outside);
     };
     return substitute(to, bodies_, std::array{function.body}, in_its_place).front();
+}
+
+NodeId at_point(Graph& graph, NodeId expression, const std::array<NodeId, 3>& point) {
+    const auto in_its_place = [&](Graph& to, const Node& node, NodeId rebuilt) {
+        if (node.op != Op::input) return rebuilt;
+        if (node.index < int(point.size())) return point[std::size_t(node.index)];
+        return node.index < OwnFunctions::first_argument ? rebuilt : to.at(node.index, point);
+    };
+    return substitute(graph, graph, std::array{expression}, in_its_place).front();
 }
 
 std::optional<int> OwnFunctions::array_of(const OwnFunction& function,

@@ -1,6 +1,7 @@
 // Functions that a formula defines itself: f(u, v) = u^2 + v^2;
 #pragma once
 
+#include <array>
 #include <map>
 #include <optional>
 #include <span>
@@ -18,7 +19,9 @@ struct OwnFunction {
 };
 
 // A call is the function's expression with the arguments in their places. Expressions are kept in a
-// graph of their own, where arguments, and names that were defined outside, are inputs.
+// graph of their own, where arguments, and names that were defined outside, are inputs. An argument
+// may be taken at another point, f(x - 1, y, z): there it is not known yet, so Op::at stands for
+// it.
 class OwnFunctions {
 public:
     Graph& bodies() { return bodies_; }
@@ -28,6 +31,7 @@ public:
 
     void add(std::string_view name, OwnFunction function);
     const OwnFunction* find(std::string_view name) const; // null if there is none
+    std::vector<std::string> names() const;
 
     // The call's node. `to` may be bodies(): then what stands for nodes outside stays.
     NodeId call(Graph& to, const OwnFunction& function, std::span<const NodeId> arguments) const;
@@ -39,12 +43,16 @@ public:
     std::optional<int> array_of(const OwnFunction& function, std::span<const int> arrays) const;
 
 private:
+    friend NodeId at_point(Graph& graph, NodeId expression, const std::array<NodeId, 3>& point);
     // Beyond all inputs that formulas have.
     static constexpr int first_argument = 1 << 17, first_outside = 1 << 18;
 
     Graph bodies_;
     std::map<std::string, OwnFunction, std::less<>> functions_;
 };
+
+// The expression with these in place of x, y and z, inputs 0 to 2: of a solid that is moved.
+NodeId at_point(Graph& graph, NodeId expression, const std::array<NodeId, 3>& point);
 
 // Whether a node from `first` on is a constant without a value: no number, cut off, or 1/0. What a
 // call makes of constants can't be told where its function is defined.

@@ -6,6 +6,7 @@
 
 #include "base/nearest_name.h"
 #include "formula/graph/composed_functions.h"
+#include "formula/graph/library.h"
 #include "formula/graph/spelling.h"
 #include "formula/graph/substitute.h"
 
@@ -17,32 +18,77 @@ std::vector<std::string> function_names() {
     for (const std::span<const Function> rows : {functions(), composed_functions()}) {
         for (const Function& function : rows) names.emplace_back(function.name);
     }
+    for (const std::string& name : library().names()) names.push_back(name);
     return names;
 }
 
 } // namespace
 
-NodeId FormulaParser::call_own(const OwnFunction& function, std::string_view name,
-                               std::size_t begin) {
-    const std::vector<NodeId> arguments = argument_list();
-    if (arguments.size() != function.arguments.size()) {
+FormulaParser::Defined FormulaParser::defined_function(std::string_view name) {
+    if (const OwnFunction* found = own().find(name)) return {&own(), found};
+    if (find_function(plain_name(name))) return {};
+    return {&library(), library().find(name)};
+}
+
+NodeId FormulaParser::call_defined(const Defined& defined, const std::vector<NodeId>& arguments,
+                                   std::string_view name, std::size_t begin) {
+    const auto& [owner, function] = defined;
+    if (arguments.size() != function->arguments.size()) {
         fail(begin, fmt::format("{}({}) takes {} argument{}, not {}", name,
-                                join(function.arguments), function.arguments.size(),
-                                function.arguments.size() == 1 ? "" : "s", arguments.size()));
+                                join(function->arguments), function->arguments.size(),
+                                function->arguments.size() == 1 ? "" : "s", arguments.size()));
     }
     std::vector<int> open;
     for (const OpenLoop& loop : open_arrays_) open.push_back(loop.array);
-    if (const auto array = own().array_of(function, open)) {
+    if (const auto array = owner->array_of(*function, open)) {
         fail(begin, fmt::format("'{}' goes through '{}', and is called where that is done", name,
                                 vocabulary_.arrays[std::size_t(*array)].name));
     }
-    work() += own().work_of(function);
-    if (work() > limits::calls_work) fail(begin, "the formula calls large functions too often");
     const std::size_t first = graph_.size();
-    const NodeId value = own().call(graph_, function, arguments);
+    const NodeId value = owner->call(graph_, *function, arguments);
+    work() += owner->work_of(*function) + graph_.size() - first;
+    if (work() > limits::calls_work) fail(begin, "the formula calls large functions too often");
     check_constants(first, name, begin);
     check_size();
     return value;
+}
+
+std::optional<NodeId> FormulaParser::function_at_the_point(std::string_view word,
+                                                           std::size_t begin) {
+    const OwnFunction* function = own().find(word);
+    if (!function || function->arguments.size() != coordinate_names.size()) return std::nullopt;
+    std::vector<NodeId> point;
+    for (const std::string& name : coordinate_names) {
+        const auto coordinate = names_.input(name);
+        if (!coordinate) return std::nullopt;
+        point.push_back(graph_.input(*coordinate));
+    }
+    return call_defined({&own(), function}, point, word, begin);
+}
+
+std::optional<NodeId> FormulaParser::at_another_point(std::string_view word) {
+    const bool is_argument = std::ranges::count(arguments_, word) > 0;
+    const bool is_part = defined(word) || (outer_ && outer_->defined(word));
+    if (!is_argument && !is_part) return std::nullopt;
+    const std::size_t end = at_;
+    skip_space();
+    const bool has_place =
+        names_.input("x") == 0 && names_.input("y") == 1 && names_.input("z") == 2;
+    if (!has_place || parts_ahead() != 3) {
+        at_ = end;
+        return std::nullopt;
+    }
+    const NodeId of = named(word).value();
+    const std::size_t begin = at_;
+    const Enclosed enclosed(*this, accept_opening().value());
+    const std::vector<NodeId> point = argument_list();
+    const std::size_t first = graph_.size();
+    const NodeId moved = at_point(graph_, of, {point[0], point[1], point[2]});
+    work() += std::size_t(of) + graph_.size() - first;
+    if (work() > limits::calls_work) fail(begin, "the formula moves large parts too often");
+    check_constants(first, word, begin);
+    check_size();
+    return moved;
 }
 
 void FormulaParser::check_constants(std::size_t first, std::string_view name,
@@ -53,8 +99,9 @@ void FormulaParser::check_constants(std::size_t first, std::string_view name,
 
 NodeId FormulaParser::call(std::string_view called, std::size_t begin, char closing) {
     const Enclosed enclosed(*this, closing);
-    const OwnFunction* function = own().find(called);
-    return function ? call_own(*function, called, begin) : called_by(plain_name(called), begin);
+    const Defined defined = defined_function(called);
+    return defined ? call_defined(defined, argument_list(), called, begin)
+                   : called_by(plain_name(called), begin);
 }
 
 NodeId FormulaParser::called_by(std::string_view name, std::size_t begin) {

@@ -252,13 +252,14 @@ NodeId FormulaParser::root_of(int degree, NodeId of, std::size_t place) {
 }
 
 NodeId FormulaParser::name_or_call(std::string_view word, std::size_t begin) {
+    if (const auto value = at_another_point(word)) return *value;
     if (const auto value = named(word)) return *value;
     if (is_point(word) && peek() == '.') {
         const std::size_t end = at_;
         if (const auto part = parts_of_point(); part && part->size() == 1) return part->front();
         at_ = end;
     }
-    const bool is_known = own().find(word) || find_function(plain_name(word));
+    const bool is_known = defined_function(word) || find_function(plain_name(word));
     // What it is called elsewhere; the text of the name outlives this call, as a function's own.
     const std::string plain = is_known ? std::string(word) : plain_spelling(word);
     if (const auto value = plain == word ? std::nullopt : named(plain)) return *value;
@@ -271,7 +272,8 @@ NodeId FormulaParser::name_or_call(std::string_view word, std::size_t begin) {
     skip_space();
     if (const auto closing = accept_opening()) return call(plain, begin, *closing);
     if (plain == "if") return if_then_else(begin);
-    if (find_function(plain_name(plain))) fail_without_parentheses(plain, begin);
+    if (const auto value = function_at_the_point(word, begin)) return *value;
+    if (is_known || find_function(plain_name(plain))) fail_without_parentheses(plain, begin);
     fail_unknown(word, begin);
 }
 

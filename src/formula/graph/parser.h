@@ -1,19 +1,26 @@
 // Parses text to an expression graph.
 //
-//     formula    = { definition ';' } expression
-//     definition = name [ '(' names ')' ] '=' expression
-//     expression = term { ('+' | '-') term }
-//     term       = factor { ('*' | '/') factor }
-//     factor     = ('-' | '+') factor | power
-//     power      = primary [ '^' factor ]     (right associative; -x^2 is -(x^2))
-//     primary    = number | name | name '(' arguments ')' | '(' expression ')'
+//     formula     = { definition ';' } ( value | value '=' value )
+//     definition  = name [ '(' names ')' ] '=' value
+//     value       = disjunction [ '?' value ':' value ]
+//     disjunction = conjunction { 'or' conjunction }
+//     conjunction = negation { 'and' negation }
+//     negation    = 'not' negation | comparison
+//     comparison  = expression { ('<' | '<=' | '>' | '>=' | '!=') expression }
+//     expression  = term { ('+' | '-') term }
+//     term        = factor { ('*' | '/' | '') factor }
+//     factor      = ('-' | '+') factor | power
+//     power       = primary [ '^' factor ]     (right associative; -x^2 is -(x^2))
+//     primary     = number | name | name '(' arguments ')' | '(' value ')' | '|' expression '|'
 //
-// Functions are those of functions.h and composed_functions.h, and those that are defined before.
-// In chebyshev(n, a), n is a constant integer. In sum(array, expression), least(array, expression)
-// and greatest(array, expression) the array's fields are names; least(array, expression, value) is
-// the value of the element whose expression is least. Constants: pi, and e and tau where these
-// names have no other meaning. `name = expression;` names a repeated part, `name(u, v) =
-// expression;` a function, which must not call itself.
+// These signs and names have other spellings (text_cursor.h, spelling.h). Functions are those of
+// functions.h and composed_functions.h, those that are defined before, and those of library.txt. In
+// chebyshev(n, a), n is a constant integer. In sum(array, expression), least(array, expression) and
+// greatest(array, expression) the array's fields are names; least(array, expression, value) is the
+// value of the element whose expression is least. Constants: pi, and e and tau where these names
+// have no other meaning. `name = expression;` names a repeated part, `name(u, v) = expression;` a
+// function, which must not call itself. An argument or a named part f can be taken at another point:
+// f(u, v, w).
 #pragma once
 
 #include <string>

@@ -16,6 +16,8 @@ NodeId remade(Graph& to, const Node& node, const std::array<NodeId, 4>& children
         return to.element(first_array + node.index, node.second);
     case Op::select:
         return to.select(children[0], children[1], children[2], children[3], Op(node.index));
+    case Op::at:
+        return to.at(node.index, {children[0], children[1], children[2]});
     case Op::chebyshev:
         return to.chebyshev(node.index, children[0], node.second);
     case Op::sum:

@@ -90,10 +90,6 @@ bool is_made_of_known_words(std::string_view name) {
     return is_plain && are_known && (has_place || (words.empty() && has_digit));
 }
 
-bool names_time(std::string_view expression) {
-    return std::ranges::count(words_of(expression), "t", &Word::text) > 0;
-}
-
 // NAME=EXPRESSION with the time in it.
 bool moves_something(std::string_view setting) {
     const std::size_t equals = setting.find('=');
@@ -101,6 +97,10 @@ bool moves_something(std::string_view setting) {
 }
 
 } // namespace
+
+bool names_time(std::string_view expression) {
+    return std::ranges::count(words_of(expression), "t", &Word::text) > 0;
+}
 
 bool is_formula(const std::string& name) {
     const auto extension = std::filesystem::path(name).extension();
@@ -112,10 +112,6 @@ bool is_formula(const std::string& name) {
 }
 
 toml::table scene_of_formula(const std::string& formula, std::span<const std::string> settings) {
-    const std::vector<Word> words = words_of(formula);
-    const auto is_used = [&](std::string_view name) {
-        return std::ranges::count(words, name, &Word::text) > 0;
-    };
     toml::table root{{"title", title_of(formula)}};
     if (names_time(formula) || std::ranges::any_of(settings, moves_something)) {
         toml::table time{{"fps", 30}};
@@ -125,23 +121,7 @@ toml::table scene_of_formula(const std::string& formula, std::span<const std::st
         if (std::ranges::none_of(settings, tells_seconds)) time.insert("frames", 120);
         root.insert("time", time);
     }
-    if (!names_time(formula)) {
-        root.insert("surface", toml::table{{"formula", formula}});
-        return root;
-    }
-    // The formula's t is a parameter, whose name no other has.
-    std::string time = "time";
-    while (is_used(time)) time += "_";
-    std::string timed;
-    std::size_t end = 0;
-    for (const Word& word : words) {
-        if (word.text != "t") continue;
-        timed += formula.substr(end, word.at - end) + time;
-        end = word.at + 1;
-    }
-    timed += formula.substr(end);
-    root.insert("surface", toml::table{{"formula", timed}});
-    root.insert("parameters", toml::table{{time, "t"}});
+    root.insert("surface", toml::table{{"formula", formula}});
     return root;
 }
 

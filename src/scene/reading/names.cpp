@@ -14,6 +14,12 @@ std::string_view meaning_in_expressions(std::string_view name) {
                          : "";
 }
 
+void check_parameter_name(const std::string& name, const toml::node& at, const std::string& key,
+                          bool has_arrays) {
+    const bool is_of_elements = name == "i" || name == "n";
+    if (has_arrays || !is_of_elements) check_name(name, at, key);
+}
+
 void check_name(const std::string& name, const toml::node& at, const std::string& key) {
     if (!formula::is_identifier(name)) {
         fail(at, key, "a name is letters, digits and _, and starts with a letter");

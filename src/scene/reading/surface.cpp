@@ -13,6 +13,7 @@
 #include "scene/key_tables.h"
 #include "scene/limits.h"
 #include "scene/reading/arrays.h"
+#include "scene/reading/formula_scene.h"
 #include "scene/reading/names.h"
 #include "scene/reading/read_keys.h"
 
@@ -56,13 +57,16 @@ Parameter read_parameter(Section& parameters, const std::string& name, const Ran
 // Parameters in the order of first mention: the catalogue's, then the scene's own.
 void read_parameters(Section& sections, SurfaceParts& parts, TrackTable& tracks) {
     std::map<std::string, Parameter> found;
+    const bool has_arrays =
+        sections.has("arrays") || (parts.catalogue && parts.catalogue->contains("arrays"));
     const auto read = [&](Section& from) {
         auto section = from.section("parameters");
         if (!section) return;
         // toml++ keeps tables sorted by key: the order is the same for every run.
         for (const std::string& name : section->names()) {
             const toml::node& node = *section->find(name);
-            section->attempt(name, [&] { check_name(name, node, section->dotted(name)); });
+            section->attempt(
+                name, [&] { check_parameter_name(name, node, section->dotted(name), has_arrays); });
             if (section->is_wrong(name)) continue;
             if (parts.parameters.size() == std::size_t(limits::parameters) && !found.count(name)) {
                 section->tell(name,
@@ -109,6 +113,11 @@ void make_vocabulary(SurfaceParts& parts, TrackTable& tracks, MistakeList& mista
             names.fields.push_back(name);
         }
         parts.vocabulary.arrays.push_back(names);
+    }
+    // The time, in a formula that names it.
+    if (parts.formula && names_time(*parts.formula)) {
+        tracks.add("t", animation::Expression{"t"}, 0, nullptr);
+        parts.vocabulary.parameters.push_back("t");
     }
     parts.surface.parameters = tracks.size();
     if (tracks.size() > limits::parameters) {

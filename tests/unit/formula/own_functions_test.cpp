@@ -13,13 +13,6 @@
 namespace isomotion::formula {
 namespace {
 
-// Both texts are one node of one graph.
-void expect_same(const std::string& text, const std::string& plain) {
-    Graph graph;
-    EXPECT_EQ(parse(text, test_vocabulary(), graph), parse(plain, test_vocabulary(), graph))
-        << text;
-}
-
 std::string what_is_wrong(const std::string& text) {
     Graph graph;
     try {

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include <gmock/gmock.h>
+#include <gtest/gtest.h>
 
 #include "formula/evaluate/evaluate.h"
 #include "formula/graph/lowering.h"
@@ -66,6 +67,12 @@ inline double value_of(std::string_view text, const Point& p = {},
 
 inline NodeId parse(Graph& graph, std::string_view text) {
     return parse(text, test_vocabulary(), graph);
+}
+
+// Both texts are one node of one graph.
+inline void expect_same(const std::string& text, const std::string& plain) {
+    Graph graph;
+    EXPECT_EQ(parse(graph, text), parse(graph, plain)) << text;
 }
 
 // Random tests print the seed they failed with.

@@ -40,11 +40,19 @@ INSTANTIATE_TEST_SUITE_P(
                     Body{"|x| + |y| + |z| = 1", {}, 1},
                     Body{"max(|x|, |y|, |z|) = 1", {}, 1.7320508},
                     Body{"(sqrt(x^2 + y^2) - 1)^2 + z^2 = 0.04", {}, 1.2},
+                    Body{"x^2 + y^2 + z^2 = 144", {}, 12}, Body{"x^2 + y^2 + z^2 = 1e12", {}, 1e6},
+                    Body{"x^2 + y^2 + z^2 = 1e-12", {}, 1e-6},
+                    Body{"(x-8)^2 + y^2 + z^2 = 4", {8, 0, 0}, 2},
+                    Body{"(x-100)^2 + (y-50)^2 + z^2 = 1", {100, 50, 0}, 1},
+                    Body{"(x-1e5)^2 + y^2 + (z+3e5)^2 = 4", {1e5, 0, -3e5}, 2},
+                    Body{"x^2/9 + y^2/250000 + z^2 = 1", {}, 500},
+                    Body{"max(|x - 40|, |y|, |z|) = 15", {40, 0, 0}, 25.98},
                     Body{"min((x-2)^2 + y^2 + z^2, (x+2)^2 + y^2 + z^2) = 0.01", {}, 2.1}));
 
 TEST(FoundBoundsOf, WhatGoesOnIsABallThatIsSaid) {
-    for (const char* formula : {"z = sin(x)", "x^2 + y^2 = 1", "x^2 + y^2 + z^2 = -1", "1/x = 0",
-                                "x^2 + y^2 + z^2 = 101", "log(x) = y"}) {
+    for (const char* formula :
+         {"z = sin(x)", "x^2 + y^2 = 1", "x^2 + y^2 + z^2 = -1", "1/x = 0", "z = x^2 + y^2",
+          "x*y*z = 1", "log(x) = y", "sin(x) + cos(y) + sin(z) = 0.1", "x^2 = 50 + y^2"}) {
         const Scene scene = load(formula);
         EXPECT_EQ(scene.surfaces[0].found_bounds, std::optional(false)) << formula;
         EXPECT_EQ(at_frame(scene, 1).surfaces[0].bounds.radius, 3) << formula;

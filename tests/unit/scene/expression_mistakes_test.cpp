@@ -29,13 +29,17 @@ TEST_F(ExpressionMistakes, Formulas) {
          "scene.toml:6: surface.formula: the formula ends where a value is expected\n"
          "    \n"
          "    ^"},
-        {ball_with(6, "formula = \"t*x - radius\""),
-         "scene.toml:6: surface.formula: unknown name 't'; time moves parameters: name one here, "
-         "as "
-         "T, and write T = \"t\" under [parameters]\n"
-         "    t*x - radius\n"
-         "    ^"},
     });
+}
+
+// As on the command line; i and n are names like others where there are no elements.
+TEST_F(ExpressionMistakes, TheTimeInAFormulaIsNone) {
+    const Scene scene = loaded(ball_with(6, "formula = \"x^2 + y^2 + z^2 - radius - 0.1*t\""));
+    const auto at = [&](double t) { return scene.surfaces[0].animation.at(t).tracks; };
+    EXPECT_EQ(std::ranges::count(at(1.25), 1.25), 1 + std::ranges::count(at(0.5), 1.25));
+    EXPECT_EQ(mistake(ball_with(9, "radius = \"n*i\"\nn = 2\ni = 0.5")), "nothing is wrong");
+    EXPECT_THAT(mistake(blobs("count = 2\nx = \"i\"\n[parameters]\nn = 2")),
+                testing::HasSubstr("'n' means the number of elements"));
 }
 
 // The caret stands below its line of the formula, and the place is that of the key.

@@ -24,11 +24,10 @@ frames = 120
 
 [surface]
 bounds = { sphere = 1.3 }
-formula = "x^2 + y^2 + z^2 = a + 0.3*sin(9*x + time)"
+formula = "x^2 + y^2 + z^2 = a + 0.3*sin(9*x + t)"
 
 [parameters]
 a = 1.1
-time = "t"
 )toml";
     EXPECT_EQ(scene_file_text("x^2 + y^2 + z^2 = a + 0.3*sin(9*x + t)", {"a=1.1"}), text);
 }
@@ -43,7 +42,7 @@ TEST(FormulaScene, HasTheBeginningOfALongFormulaAsItsTitle) {
     EXPECT_THAT(title, testing::EndsWith("..."));
 }
 
-// t is the time wherever a formula may have it, and takes no other parameter's name.
+// t is the time wherever a formula may have it.
 TEST(FormulaScene, FindsTheTimeInAFormula) {
     for (const char* formula : {"x^2 + y^2 + z^2 = 1 + 0.1*sin(2t)", "x^2+y^2+z^2=1+2.5e-1t",
                                 "x^2 + y^2 + z^2 = t", "x^2 + y^2 + z^2 = 1 + 0.1(t)"}) {
