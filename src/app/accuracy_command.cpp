@@ -157,8 +157,9 @@ void add_accuracy(CLI::App& app, Action& chosen) {
     CLI::App* command = app.add_subcommand(
         "accuracy", "measure what each method and setting costs, and which pixels it gets wrong");
     command
-        ->add_option("scene", a.scene,
-                     "a scene file (.toml, .jsurf, .pov), the name of an animation, or a formula")
+        ->add_option(
+            "scene", a.scene,
+            "a scene file (.toml, .jsurf, .pov, .js), the name of an animation, or a formula")
         ->required();
     command->add_option("--surface", a.surface,
                         "measure this one of the scene's [[surfaces]] alone, by its name");

@@ -27,7 +27,7 @@ bool looks_like_formula(const std::string& word) {
 bool looks_like_scene(const std::string& word) {
     const auto extension = std::filesystem::path(word).extension();
     if (extension == ".toml" || extension == ".jsurf" || extension == ".pov" ||
-        looks_like_formula(word))
+        extension == ".js" || extension == ".json" || looks_like_formula(word))
         return true;
     return std::ranges::count(scene::animation_names(), word) > 0;
 }

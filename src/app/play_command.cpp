@@ -55,7 +55,7 @@ void add_play(CLI::App& app, Action& chosen) {
     CLI::App* command = app.add_subcommand("play", "play a scene in a window");
     command->add_option(
         "scene", o.scene,
-        "a scene file (.toml, .jsurf, .pov), the name of an animation, or a formula; "
+        "a scene file (.toml, .jsurf, .pov, .js), the name of an animation, or a formula; "
         "without one the gallery is shown");
     command
         ->add_option("--set", o.overrides,

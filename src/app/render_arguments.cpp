@@ -84,8 +84,9 @@ std::vector<int> frames_of(const std::string& text, const Scene& scene) {
 
 void add_sequence_options(CLI::App& command, RenderArguments& a) {
     command
-        .add_option("scene", a.scene,
-                    "a scene file (.toml, .jsurf, .pov), the name of an animation, or a formula")
+        .add_option(
+            "scene", a.scene,
+            "a scene file (.toml, .jsurf, .pov, .js), the name of an animation, or a formula")
         ->required();
     command.add_option(
         "-o,--output", a.output,

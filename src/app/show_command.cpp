@@ -274,8 +274,9 @@ void add_show(CLI::App& app, Action& chosen) {
     CLI::App* command = app.add_subcommand(
         "show", "print what a scene is at a frame, its shaders, or its scene file");
     command
-        ->add_option("scene", arguments->scene,
-                     "a scene file (.toml, .jsurf, .pov), the name of an animation, or a formula")
+        ->add_option(
+            "scene", arguments->scene,
+            "a scene file (.toml, .jsurf, .pov, .js), the name of an animation, or a formula")
         ->required();
     command->add_option("--frame,--frames", arguments->frames,
                         "frame to show, counted from 1; the first of several (default: 1)");

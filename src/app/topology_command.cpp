@@ -341,8 +341,9 @@ void add_topology(CLI::App& app, Action& chosen) {
         "topology",
         "find when parts of the surface merge, split, open and close; prove it, and check it");
     command
-        ->add_option("scene", a.scene,
-                     "a scene file (.toml, .jsurf, .pov), the name of an animation, or a formula")
+        ->add_option(
+            "scene", a.scene,
+            "a scene file (.toml, .jsurf, .pov, .js), the name of an animation, or a formula")
         ->required();
     command->add_option("--surface", a.surface,
                         "search this one of the scene's [[surfaces]] alone, by its name");

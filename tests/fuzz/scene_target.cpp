@@ -21,7 +21,7 @@ void scene(std::string_view text) {
         }
     } catch (const std::length_error&) {
     }
-    for (const char* file : {"/scene.jsurf", "/scene.pov"}) { // of Surfer and of POV-Ray
+    for (const char* file : {"/scene.jsurf", "/scene.pov", "/scene.json"}) { // of other programs
         try {
             scene::load_text(text, std::string(ISOMOTION_FUZZ_FOLDER) + file);
         } catch (const scene::SceneError& error) {

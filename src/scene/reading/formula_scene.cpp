@@ -104,7 +104,8 @@ bool names_time(std::string_view expression) {
 
 bool is_formula(const std::string& name) {
     const auto extension = std::filesystem::path(name).extension();
-    if (extension == ".toml" || extension == ".jsurf" || extension == ".pov") return false;
+    constexpr std::array<std::string_view, 5> files{".toml", ".jsurf", ".pov", ".js", ".json"};
+    if (std::ranges::count(files, extension.string()) > 0) return false;
     constexpr std::array<std::string_view, 5> signs{"≤", "≥", "≠", "√", "\\"};
     const auto is_in_name = [&](std::string_view sign) { return name.find(sign) != name.npos; };
     return name.find_first_of("=^*+()|<>%") != name.npos ||

@@ -17,7 +17,8 @@ namespace isomotion::scene {
 // camera.
 using Override = std::string;
 
-// `scene` is a path to a scene file (.toml, Surfer's .jsurf, POV-Ray's .pov), the name of an
+// `scene` is a path to a scene file (.toml, Surfer's .jsurf, POV-Ray's .pov, MathMod's .js or
+// .json, of several models in it one as "collection.js#Torus"), the name of an
 // animation of the gallery, or a formula: "x^2 + y^2 + z^2 = 1 + 0.3*sin(9*x + t)", which moves if
 // it or an override names t. Throws SceneError with all mistakes that reading finds, each in a line
 // of its own.

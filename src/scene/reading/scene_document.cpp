@@ -12,6 +12,7 @@
 #include "scene/limits.h"
 #include "scene/reading/document.h"
 #include "scene/reading/formula_scene.h"
+#include "scene/reading/mathmod.h"
 #include "scene/reading/named_file.h"
 #include "scene/reading/pov.h"
 #include "scene/reading/surfer.h"
@@ -33,7 +34,7 @@ fs::path locate(const std::string& scene) {
         scene.find('/') != scene.npos || extension == ".toml" || is_of_another_program(scene);
     fs::path installed = animation_file(scene);
     if (!looks_like_path && fs::exists(installed, error)) return installed;
-    for (const char* missing : {".toml", ".jsurf", ".pov"}) {
+    for (const char* missing : {".toml", ".jsurf", ".pov", ".js", ".json"}) {
         const fs::path meant = fs::path(scene).replace_extension(missing);
         if (meant == fs::path(scene) || !fs::exists(meant, error)) continue;
         throw SceneError(
@@ -72,17 +73,20 @@ bool is_animation(const std::string& name) {
 
 bool is_of_another_program(const fs::path& file) {
     const std::string extension = base::lower_extension(file);
-    return extension == ".jsurf" || extension == ".pov";
+    return extension == ".jsurf" || extension == ".pov" || extension == ".js" ||
+           extension == ".json";
 }
 
 bool is_formula_alone(const std::string& name) {
-    return is_formula(name) && !is_there(name) && !is_animation(name);
+    return is_formula(name) && !model_name(name) && !is_there(name) && !is_animation(name);
 }
 
-toml::table parse_scene(std::string_view text, const fs::path& file) {
+toml::table parse_scene(std::string_view text, const fs::path& file, const std::string& model) {
     const std::string extension = base::lower_extension(file);
     if (extension == ".jsurf") return parse_document(surfer_as_toml(text, file), file);
     if (extension == ".pov") return parse_document(pov_as_toml(text, file), file);
+    if (is_json(text) || extension == ".js" || extension == ".json")
+        return parse_document(mathmod_as_toml(text, file, model), file);
     return parse_document(text, file);
 }
 
@@ -92,7 +96,8 @@ SceneDocument find_document(const std::string& name, const std::vector<std::stri
         return {scene_of_formula(name, overrides), "", "formula.toml",
                 confines(base::open_folder(fs::path()), reach)};
     }
-    const fs::path file = locate(name);
+    const auto named = is_there(name) ? std::nullopt : model_name(name);
+    const fs::path file = locate(named ? named->file : name);
     // The scene and what it may name lie in one folder, wherever that folder's name leads later.
     const base::FileDescriptor folder = base::open_folder(file.parent_path());
     if (!folder) {
@@ -100,7 +105,8 @@ SceneDocument find_document(const std::string& name, const std::vector<std::stri
                                      std::generic_category().message(errno)));
     }
     const std::string text = base::file_text(folder, file, limits::scene_bytes);
-    return {parse_scene(text, file), text, file, confines(folder, reach)};
+    return {parse_scene(text, file, named ? named->model : ""), text, file,
+            confines(folder, reach)};
 }
 
 } // namespace isomotion::scene

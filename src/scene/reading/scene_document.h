@@ -24,11 +24,13 @@ struct SceneDocument {
 // `name`: as load() takes it. Throws SceneError.
 SceneDocument find_document(const std::string& name, const std::vector<std::string>& overrides,
                             Reach reach);
-toml::table parse_scene(std::string_view text, const std::filesystem::path& file);
+// `model`: of several in a file of MathMod.
+toml::table parse_scene(std::string_view text, const std::filesystem::path& file,
+                        const std::string& model = "");
 
 // Whether the argument is a formula, and no file of that name.
 bool is_formula_alone(const std::string& name);
-// Whether the file is Surfer's or POV-Ray's.
+// Whether the file is Surfer's, POV-Ray's or MathMod's.
 bool is_of_another_program(const std::filesystem::path& file);
 
 } // namespace isomotion::scene

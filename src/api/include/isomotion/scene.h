@@ -78,10 +78,10 @@ enum class Reach {
 
 class Scene {
 public:
-    // A scene file (.toml, Surfer's .jsurf, POV-Ray's .pov), the name of an animation, or a
-    // formula. Settings are "key=value", as `--set` takes them: a parameter ("r=0.5") or a key of
-    // the scene file ("camera.fov=30"); the value is a number, an expression of t, or TOML. The
-    // error names all mistakes, each in a line of its own.
+    // A scene file (.toml, Surfer's .jsurf, POV-Ray's .pov, MathMod's .js), the name of an
+    // animation, or a formula. Settings are "key=value", as `--set` takes them: a parameter
+    // ("r=0.5") or a key of the scene file ("camera.fov=30"); the value is a number, an expression
+    // of t, or TOML. The error names all mistakes, each in a line of its own.
     static Scene load(const std::string& name, const std::vector<std::string>& settings = {},
                       Reach reach = Reach::own_folder);
     // The text of a scene file (TOML). Files that it names are looked for in `folder`.
