@@ -1,20 +1,8 @@
 // im_chebyshev, im_chebyshev_stopped, im_chebyshev_slope, im_chebyshev_steep on intervals. Needs
-// arithmetic.glsl, exp.glsl, trig.glsl, divide.glsl, inverse_trig.glsl, math/log.glsl.
+// arithmetic.glsl, exp.glsl, trig.glsl, divide.glsl, inverse_trig.glsl, inverse_hyperbolic.glsl.
 //
 // T_n(cos h) = cos(n h), T_n(cosh t) = cosh(n t), degree n >= 2; intervals of angles hold their
 // error.
-
-// Encloses the t >= 0 with cosh t = y, for y >= 1; a smaller y counts as 1.
-vec2 im_acosh(float y) {
-    precise float above = max(min(y, 1.0e18) - 1.0, 0.0);
-    precise float v = above + sqrt(above * (above + 2.0));
-    precise float t = im_log(1.0 + v);
-    // 1 + v is rounded by 2^-24 of itself; the steps before err by 2^-20 of v, generously.
-    precise float margin = 2.4e-7 + 1.9e-6 * t;
-    precise vec2 result =
-        vec2(max(t - margin, 0.0), IM_SELECT(y > 1.0e18, IM_INFINITY, t + margin));
-    return IM_SELECT2(y > 1.0, result, vec2(0.0));
-}
 
 // Joins the values `inside` [-1, 1] with those beyond: `low` at |a.x| and `high` at |a.y|. `even`:
 // values at -x equal those at x; otherwise they are negated.
@@ -31,8 +19,8 @@ vec2 im_chebyshev(int n, vec2 a) {
     float degree = float(n);
     vec2 inside = im_cos(im_scale_up(degree, im_acos(clamp(a, -1.0, 1.0))));
     if (max(-a.x, a.y) <= 1.0) return inside;
-    vec2 low = im_cosh(im_scale_up(degree, im_acosh(abs(a.x))));
-    vec2 high = im_cosh(im_scale_up(degree, im_acosh(abs(a.y))));
+    vec2 low = im_cosh(im_scale_up(degree, im_acosh(vec2(abs(a.x)))));
+    vec2 high = im_cosh(im_scale_up(degree, im_acosh(vec2(abs(a.y)))));
     return im_with_outside(a, inside, low, high, (n & 1) == 0);
 }
 
@@ -65,7 +53,7 @@ vec2 im_slope_inside(float degree, float x) {
 
 // T_n'(y) = n sinh(n t) / sinh t at a point y beyond 1, at least n^2.
 vec2 im_slope_outside(float degree, float y) {
-    vec2 t = im_acosh(y);
+    vec2 t = im_acosh(vec2(y));
     vec2 slope = im_scale_up(degree, im_divide(im_sinh(im_scale_up(degree, t)), im_sinh(t)));
     return max(slope, vec2(degree * degree));
 }

@@ -1,5 +1,7 @@
 #include "arb/ball_program.h"
 
+#include <arb_hypgeom.h>
+
 #include <algorithm>
 #include <stdexcept>
 
@@ -25,23 +27,27 @@ void set_interval(Ball& to, Arf& low, Arf& high, slong precision) {
     arb_set_interval_arf(to.get(), low.get(), high.get(), precision);
 }
 
-// asin or acos, monotone, of the part of a inside [-1, 1]; beyond, of the end.
-void arc(Ball& to, const Ball& a, void (*function)(arb_t, const arb_t, slong), slong precision) {
+// A monotone function, from its values at the ends of a. at(end) makes the value of an end.
+template<class At> void monotone(Ball& to, const Ball& a, slong precision, const At& at) {
     if (!a.is_finite()) {
         arb_indeterminate(to.get());
         return;
     }
-    Arf low, high;
-    arb_get_interval_arf(low.get(), high.get(), a.get(), precision);
+    Arf arfs[2];
+    arb_get_interval_arf(arfs[0].get(), arfs[1].get(), a.get(), precision);
     Ball ends[2];
-    Arf* const arfs[] = {&low, &high};
-    for (int k = 0; k < 2; ++k) {
-        if (arf_cmp_si(arfs[k]->get(), 1) > 0) arf_one(arfs[k]->get());
-        if (arf_cmp_si(arfs[k]->get(), -1) < 0) arf_set_si(arfs[k]->get(), -1);
-        arb_set_arf(ends[k].get(), arfs[k]->get());
-        function(ends[k].get(), ends[k].get(), precision);
-    }
+    for (int k = 0; k < 2; ++k) at(ends[k], arfs[k]);
     arb_union(to.get(), ends[0].get(), ends[1].get(), precision);
+}
+
+// asin or acos of the part of a inside [-1, 1]; beyond, of the end.
+void arc(Ball& to, const Ball& a, void (*function)(arb_t, const arb_t, slong), slong precision) {
+    monotone(to, a, precision, [&](Ball& value, Arf& end) {
+        if (arf_cmp_si(end.get(), 1) > 0) arf_one(end.get());
+        if (arf_cmp_si(end.get(), -1) < 0) arf_set_si(end.get(), -1);
+        arb_set_arf(value.get(), end.get());
+        function(value.get(), value.get(), precision);
+    });
 }
 
 // The operations, named as in their table (formula/graph/function_table.h).
@@ -70,6 +76,26 @@ void sqrt(Ball& to, const Ball& a, slong precision) {
 void asin(Ball& to, const Ball& a, slong precision) { arc(to, a, arb_asin, precision); }
 void acos(Ball& to, const Ball& a, slong precision) { arc(to, a, arb_acos, precision); }
 
+void acosh(Ball& to, const Ball& a, slong precision) {
+    monotone(to, a, precision, [&](Ball& value, Arf& end) {
+        if (arf_cmp_si(end.get(), 1) <= 0) return; // 0
+        arb_set_arf(value.get(), end.get());
+        arb_acosh(value.get(), value.get(), precision);
+    });
+}
+
+// Arb has roots of positive numbers.
+void cbrt(Ball& to, const Ball& a, slong precision) {
+    monotone(to, a, precision, [&](Ball& value, Arf& end) {
+        const int sign = arf_sgn(end.get());
+        if (sign == 0) return; // 0
+        arf_abs(end.get(), end.get());
+        arb_set_arf(value.get(), end.get());
+        arb_root_ui(value.get(), value.get(), 3, precision);
+        if (sign < 0) arb_neg(value.get(), value.get());
+    });
+}
+
 template<void (*function)(arb_t, const arb_t, slong)>
 void by_arb(Ball& to, const Ball& a, slong precision) {
     function(to.get(), a.get(), precision);
@@ -77,7 +103,7 @@ void by_arb(Ball& to, const Ball& a, slong precision) {
 constexpr auto exp = by_arb<arb_exp>, log = by_arb<arb_log>, sin = by_arb<arb_sin>,
                cos = by_arb<arb_cos>, tan = by_arb<arb_tan>, sinh = by_arb<arb_sinh>,
                cosh = by_arb<arb_cosh>, tanh = by_arb<arb_tanh>, atan = by_arb<arb_atan>,
-               floor = by_arb<arb_floor>;
+               floor = by_arb<arb_floor>, asinh = by_arb<arb_asinh>, erf = by_arb<arb_hypgeom_erf>;
 
 template<void (*function)(arb_t, const arb_t, const arb_t, slong)>
 void of_two_by_arb(Ball& to, const Ball& a, const Ball& b, slong precision) {

@@ -25,6 +25,9 @@ const KernelTable& kernel_table() {
         {"math/divide.glsl", {"divide"}, {"math/bits.glsl"}},
         {"math/exp.glsl", {"exp", "sinh", "cosh", "tanh"}, {}},
         {"math/log.glsl", {"log"}, {"math/bits.glsl"}},
+        {"math/inverse_hyperbolic.glsl", {"asinh", "acosh"}, {"math/bits.glsl", "math/log.glsl"}},
+        {"math/erf.glsl", {"erf"}, {"math/bits.glsl", "math/exp.glsl"}},
+        {"math/cbrt.glsl", {"cbrt"}, {"math/bits.glsl"}},
         {"math/pow.glsl", {"pow"}, {"math/bits.glsl", "math/exp.glsl", "math/log.glsl"}},
         {"math/trig.glsl", {"sin", "cos", "tan"}, {"math/bits.glsl", "math/divide.glsl"}},
         {"math/inverse_trig.glsl", {"asin", "acos", "atan", "atan2", "angle"}, {"math/bits.glsl"}},
@@ -41,6 +44,7 @@ const KernelTable& interval_table() {
         const std::string divide = "interval/divide.glsl", root = "interval/sqrt.glsl";
         const std::string exp = "interval/exp.glsl", trig = "interval/trig.glsl";
         const std::string inverse_trig = "interval/inverse_trig.glsl";
+        const std::string inverse_hyperbolic = "interval/inverse_hyperbolic.glsl";
         const KernelTable own{
             {floats, {}, {"math/bits.glsl"}},
             {arithmetic, {}, {floats}},
@@ -49,6 +53,9 @@ const KernelTable& interval_table() {
             {root, {"sqrt"}, {arithmetic}},
             {exp, {"exp", "sinh", "cosh", "tanh"}, {arithmetic, "math/exp.glsl"}},
             {"interval/log.glsl", {"log"}, {arithmetic, "math/log.glsl"}},
+            {inverse_hyperbolic, {"asinh", "acosh"}, {arithmetic, "math/inverse_hyperbolic.glsl"}},
+            {"interval/erf.glsl", {"erf"}, {arithmetic, "math/erf.glsl"}},
+            {"interval/cbrt.glsl", {"cbrt"}, {arithmetic, "math/cbrt.glsl"}},
             {"interval/pow.glsl", {"pow"}, {arithmetic, "math/pow.glsl"}},
             {trig, {"sin", "cos", "tan"}, {arithmetic, divide, "math/trig.glsl"}},
             {inverse_trig,
@@ -56,7 +63,7 @@ const KernelTable& interval_table() {
              {arithmetic, divide, "math/inverse_trig.glsl"}},
             {"interval/chebyshev.glsl",
              {"chebyshev"},
-             {arithmetic, exp, trig, divide, inverse_trig, "math/log.glsl"}},
+             {arithmetic, exp, trig, divide, inverse_trig, inverse_hyperbolic}},
         };
         all.insert(all.end(), own.begin(), own.end());
         return all;
@@ -80,6 +87,9 @@ const KernelTable& double_interval_table() {
             {around, {}, {doubles}},
             {by_floats + "exp.glsl", {"exp", "sinh", "cosh", "tanh"}, {around}},
             {by_floats + "log.glsl", {"log"}, {around}},
+            {by_floats + "inverse_hyperbolic.glsl", {"asinh", "acosh"}, {around}},
+            {by_floats + "erf.glsl", {"erf"}, {around}},
+            {by_floats + "cbrt.glsl", {"cbrt"}, {around}},
             {by_floats + "pow.glsl", {"pow"}, {around}},
             {by_floats + "trig.glsl", {"sin", "cos", "tan"}, {around}},
             {by_floats + "inverse_trig.glsl", {"asin", "acos", "atan", "atan2", "angle"}, {around}},

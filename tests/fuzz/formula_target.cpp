@@ -52,6 +52,8 @@ bool is_defined(const Node& node, const std::vector<double>& values) {
         return a >= 0;
     case Op::log:
         return a > 0;
+    case Op::acosh:
+        return a >= 1;
     case Op::asin:
     case Op::acos:
         return std::abs(a) <= 1;

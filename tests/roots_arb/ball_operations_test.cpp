@@ -73,6 +73,7 @@ INSTANTIATE_TEST_SUITE_P(
     Balls, EveryOperation,
     testing::Values("-x", "abs(x - y)", "sign(x)", "sqrt(x)", "exp(x*y)", "log(x)", "sin(3*x)",
                     "cos(3*x)", "tan(x/4)", "sinh(x)", "cosh(x)", "tanh(x)", "asin(x)", "acos(x)",
+                    "asinh(x)", "acosh(x)", "acosh(2 + x)", "erf(x)", "cbrt(x)", "cbrt(x/9)",
                     "atan(x)", "atan2(y, x)", "cos(3*atan2(y, x))", "sin(atan2(x - y, z) - z)",
                     "floor(x)", "x + y - z", "x*y", "x^2", "x^7", "x/y", "min(x, y)", "max(x, y)",
                     "smoothmin(x, y, 1)", "smoothmin(x, y, z)", "abs(x)^2.5", "abs(x)^y",

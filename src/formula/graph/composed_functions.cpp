@@ -25,7 +25,6 @@ Term ceil(Term a) { return -floor(-a); }
 Term round(Term a) { return floor(a + a.number(0.5)); }
 Term trunc(Term a) { return sign(a) * floor(abs(a)); }
 Term fract(Term a) { return a - floor(a); }
-Term cbrt(Term a) { return sign(a) * pow(abs(a), a.number(1.0 / 3)); }
 Term exp2(Term a) { return pow(a.number(2), a); }
 Term log2(Term a) { return log(a) / a.number(std::numbers::ln2); }
 Term log10(Term a) { return log(a) / a.number(std::numbers::ln10); }
@@ -71,27 +70,26 @@ NodeId smoothmax(Graph& g, Arguments a) {
 
 // clang-format off
 constexpr std::array table{
-    Function{"if", "condition, a, b", 3, false, choice, nullptr},
-    Function{"smoothmax", "a, b, k", 3, false, smoothmax, nullptr},
-    Function{"clamp", "a, low, high", 3, false, of_three<clamp>, nullptr},
-    Function{"mix", "a, b, part", 3, false, of_three<mix>, nullptr},
-    Function{"step", "edge, a", 2, false, of_two<step>, nullptr},
-    Function{"smoothstep", "low, high, a", 3, false, of_three<smoothstep>, nullptr},
-    Function{"mod", "a, b", 2, false, of_two<mod>, nullptr},
-    Function{"fract", "a", 1, false, of_one<fract>, nullptr},
-    Function{"ceil", "a", 1, false, of_one<ceil>, nullptr},
-    Function{"round", "a", 1, false, of_one<round>, nullptr},
-    Function{"trunc", "a", 1, false, of_one<trunc>, nullptr},
-    Function{"length", "a, b, ...", 2, true, length, nullptr},
-    Function{"hypot", "a, b", 2, false, length, nullptr},
-    Function{"cbrt", "a", 1, false, of_one<cbrt>, nullptr},
-    Function{"exp2", "a", 1, false, of_one<exp2>, nullptr},
-    Function{"log2", "a", 1, false, of_one<log2>, nullptr},
-    Function{"log10", "a", 1, false, of_one<log10>, nullptr},
-    Function{"sec", "a", 1, false, of_one<sec>, nullptr},
-    Function{"csc", "a", 1, false, of_one<csc>, nullptr},
-    Function{"cot", "a", 1, false, of_one<cot>, nullptr},
-    Function{"atanh", "a", 1, false, of_one<atanh>, nullptr},
+    Function{"if", "condition, a, b", 3, false, choice, nullptr, Naming::free},
+    Function{"smoothmax", "a, b, k", 3, false, smoothmax, nullptr, Naming::free},
+    Function{"clamp", "a, low, high", 3, false, of_three<clamp>, nullptr, Naming::free},
+    Function{"mix", "a, b, part", 3, false, of_three<mix>, nullptr, Naming::free},
+    Function{"step", "edge, a", 2, false, of_two<step>, nullptr, Naming::free},
+    Function{"smoothstep", "low, high, a", 3, false, of_three<smoothstep>, nullptr, Naming::free},
+    Function{"mod", "a, b", 2, false, of_two<mod>, nullptr, Naming::free},
+    Function{"fract", "a", 1, false, of_one<fract>, nullptr, Naming::free},
+    Function{"ceil", "a", 1, false, of_one<ceil>, nullptr, Naming::free},
+    Function{"round", "a", 1, false, of_one<round>, nullptr, Naming::free},
+    Function{"trunc", "a", 1, false, of_one<trunc>, nullptr, Naming::free},
+    Function{"length", "a, b, ...", 2, true, length, nullptr, Naming::free},
+    Function{"hypot", "a, b", 2, false, length, nullptr, Naming::free},
+    Function{"exp2", "a", 1, false, of_one<exp2>, nullptr, Naming::free},
+    Function{"log2", "a", 1, false, of_one<log2>, nullptr, Naming::free},
+    Function{"log10", "a", 1, false, of_one<log10>, nullptr, Naming::free},
+    Function{"sec", "a", 1, false, of_one<sec>, nullptr, Naming::free},
+    Function{"csc", "a", 1, false, of_one<csc>, nullptr, Naming::free},
+    Function{"cot", "a", 1, false, of_one<cot>, nullptr, Naming::free},
+    Function{"atanh", "a", 1, false, of_one<atanh>, nullptr, Naming::free},
 };
 // clang-format on
 

@@ -97,7 +97,7 @@ private:
         if (node.op == Op::chebyshev) return chebyshev_slope(node, argument);
         const Term a{&g_, argument}, f{&g_, id};
         switch (node.op) {
-#define ROW(name, shader, sign_, extent, at_0, breaks, gaps, domain, slope_)                       \
+#define ROW(name, naming, shader, sign_, extent, at_0, breaks, gaps, domain, slope_)               \
     case Op::name:                                                                                 \
         return (slope_).node;
             ISOMOTION_FUNCTIONS(ROW)
@@ -162,6 +162,11 @@ private:
         const bool never_leaves_it = row && row->extent == Extent::unit;
         if (slopes_ != Slopes::generalized && never_leaves_it) return slope;
         return {&g_, g_.select(g_.constant(1), g_.unary(Op::abs, a.node), zero(), slope.node)};
+    }
+
+    // acosh is constant below 1.
+    Term above_1(Term a, Term slope) {
+        return {&g_, g_.select(g_.constant(1), a.node, slope.node, zero())};
     }
 
     // sqrt((1-a)(1+a)) keeps its digits where 1 - a^2 loses them.

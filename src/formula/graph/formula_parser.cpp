@@ -125,7 +125,7 @@ void FormulaParser::define_function(std::string_view name,
                                 arguments.size(), limits::function_arguments));
     }
     for (const std::string& argument : arguments) {
-        if (argument == "pi" || is_function_name(argument))
+        if (is_reserved(argument) && std::ranges::count(coordinate_names, argument) == 0)
             fail(begin, fmt::format("'{}' already has a meaning", argument));
         if (std::count(arguments.begin(), arguments.end(), argument) > 1)
             fail(begin, fmt::format("two arguments of '{}' are named '{}'", name, argument));
@@ -237,10 +237,6 @@ NodeId parse(std::string_view text, const Vocabulary& vocabulary, Graph& graph) 
 
 NodeId parse(std::string_view text, const Names& names, Graph& graph) {
     return FormulaParser(text, names, graph).formula();
-}
-
-bool is_reserved(std::string_view name) {
-    return name == "pi" || name == "x" || name == "y" || name == "z" || is_function_name(name);
 }
 
 } // namespace isomotion::formula

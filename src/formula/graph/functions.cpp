@@ -44,9 +44,9 @@ Term smoothmin(Term a, Term b, Term k) {
 
 // clang-format off
 constexpr std::array table{
-#define ROW(name, shader, sign, extent, at_0, breaks, gaps, domain, slope)                              \
+#define ROW(name, naming, shader, sign, extent, at_0, breaks, gaps, domain, slope)                 \
     Function{#name, "a", 1, false, unary<Op::name>,                                               \
-             []([[maybe_unused]] double x) -> bool { return domain; }},
+             []([[maybe_unused]] double x) -> bool { return domain; }, Naming::naming},
     ISOMOTION_FUNCTIONS(ROW)
 #undef ROW
     Function{"min", "a, b, ...", 2, true, folded<Op::min>, nullptr},
@@ -67,10 +67,6 @@ constexpr std::array table{
 } // namespace
 
 std::span<const Function> functions() { return table; }
-
-bool is_function_name(std::string_view name) {
-    return std::ranges::count(table, name, &Function::name) > 0;
-}
 
 std::string_view plain_name(std::string_view name) {
     constexpr std::array<std::array<std::string_view, 2>, 5> others{{{"ln", "log"},
@@ -94,7 +90,7 @@ const Function* find_function(std::string_view name) {
 
 const Traits* traits(Op op) {
     switch (op) {
-#define ROW(name, shader, sign, extent, at_0, breaks, gaps, domain, slope)                         \
+#define ROW(name, naming, shader, sign, extent, at_0, breaks, gaps, domain, slope)                 \
     case Op::name: {                                                                               \
         static constexpr Traits row{                                                               \
             1, Shader::shader, Sign::sign, Extent::extent, Breaks::breaks, Gaps::gaps, At0::at_0}; \

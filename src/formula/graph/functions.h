@@ -11,6 +11,11 @@
 
 namespace isomotion::formula {
 
+enum class Naming : std::uint8_t {
+    reserved, // nothing else may have its name
+    free,     // a parameter or an array field may: in formulas that is the name's meaning
+};
+
 struct Function {
     std::string_view name;
     std::string_view arguments; // as the documentation writes them: "a, b"
@@ -22,12 +27,12 @@ struct Function {
     // otherwise null. Evaluation tolerates radicands that rounding makes negative; a constant needs
     // no tolerance.
     bool (*has_value)(double x);
+    Naming naming = Naming::reserved;
 };
 
-// Those whose names nothing else may have. Functions of one argument first, in the order of their
-// table.
+// Those of the table and those that the parser reads itself. Functions of one argument first, in
+// the order of their table.
 std::span<const Function> functions();
-bool is_function_name(std::string_view name); // of one of these
 // Of these, or of composed_functions(); null if there is none.
 const Function* find_function(std::string_view name);
 // The name itself, or the one that it is another name of: log for ln.
@@ -52,6 +57,7 @@ enum class Breaks : std::uint8_t {
     nowhere,
     kink_at_0,
     kink_at_1,       // at 1 and -1; constant beyond
+    begins_at_1,     // has a kink there; constant below
     kink_where_same, // where both arguments are the same
     turn,            // turns fast near 0 if the argument has a pole, as an angle does about an axis
     axis,            // turns fast near the axis a = b = 0, and has no limit there

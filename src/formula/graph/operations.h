@@ -5,7 +5,7 @@
 //
 //   - results of exp, sinh, cosh, tan, log, power and divide are cut off at +-saturation, so that
 //     0 * exp(100) is 0 and not NaN;
-//   - sqrt of a negative number is 0, since rounding makes radicands negative;
+//   - sqrt of a negative number is 0, since rounding makes radicands negative; so is acosh below 1;
 //   - 0^b is 0, 1 or saturation; a negative base has a power if the exponent is an integer;
 //   - x/0 is +-saturation; 0/0 stays NaN;
 //   - the angle at the axis is 0, and -0 is 0: it does not choose a side of the cut.
@@ -58,6 +58,10 @@ template<class T> struct Operations {
     static T acos(T a) { return std::acos(clamp_unit(a)); }
     static T atan(T a) { return std::atan(a); }
     static T floor(T a) { return std::floor(a); }
+    static T asinh(T a) { return std::asinh(a); }
+    static T acosh(T a) { return a < 1 ? T(0) : std::acosh(a); }
+    static T erf(T a) { return std::erf(a); }
+    static T cbrt(T a) { return std::cbrt(a); }
     static T add(T a, T b) { return a + b; }
     static T subtract(T a, T b) { return a - b; }
     static T multiply(T a, T b) { return a * b; }

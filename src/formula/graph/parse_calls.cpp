@@ -129,7 +129,7 @@ NodeId FormulaParser::called_by(std::string_view name, std::size_t begin) {
     }
     const std::size_t first = graph_.size();
     const NodeId value = checked(function->call(graph_, arguments), first_argument, undefined);
-    if (!is_function_name(name)) check_constants(first, name, first_argument);
+    if (function->naming == Naming::free) check_constants(first, name, first_argument);
     return value;
 }
 

@@ -68,6 +68,8 @@ NodeId kink_of(Graph& g, NodeId id) {
         return unless_one_sign(a);
     case Breaks::kink_at_1:
         return unless_one_sign(g.subtract(g.constant(1), g.unary(Op::abs, a)));
+    case Breaks::begins_at_1:
+        return unless_one_sign(g.subtract(a, g.constant(1)));
     default:
         return zero;
     }

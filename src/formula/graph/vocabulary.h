@@ -34,7 +34,7 @@ struct Vocabulary {
 // The inputs of a surface's field: position, and for derivatives the ray's direction.
 inline const std::vector<std::string> coordinate_names{"x", "y", "z"};
 
-// Names no parameter, array or field may take: functions, constants and coordinates.
+// Names no parameter, array or field may take: reserved functions, constants and coordinates.
 bool is_reserved(std::string_view name);
 bool is_identifier(std::string_view name);
 

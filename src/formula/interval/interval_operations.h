@@ -49,6 +49,10 @@ template<> struct Operations<Interval> {
     static Interval asin(Interval a);
     static Interval acos(Interval a);
     static Interval atan(Interval a);
+    static Interval asinh(Interval a);
+    static Interval acosh(Interval a);
+    static Interval erf(Interval a);
+    static Interval cbrt(Interval a);
     static Interval floor(Interval a) { return {std::floor(a.lo), std::floor(a.hi)}; }
     static Interval add(Interval a, Interval b) { return a + b; }
     static Interval subtract(Interval a, Interval b) { return a - b; }

@@ -76,6 +76,8 @@ std::string rough_where(Op op) {
         return "!(a.x > 0.0 || a.y < 0.0)";
     case Breaks::kink_at_1:
         return "!(im_abs(a).y < 1.0 || im_abs(a).x > 1.0)";
+    case Breaks::begins_at_1:
+        return "!(a.x > 1.0 || a.y < 1.0)";
     case Breaks::kink_where_same:
         return "!(a.y < b.x || b.y < a.x)";
     case Breaks::turn:

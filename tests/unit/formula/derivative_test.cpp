@@ -82,7 +82,9 @@ INSTANTIATE_TEST_SUITE_P(
                     Rule{"sin(x*y)"}, Rule{"cos(x+2*y)"}, Rule{"tan(x*y)", -1, 1},
                     Rule{"smoothmin(x*y, y^2 - 1, 20)"}, Rule{"sinh(x*y)"}, Rule{"cosh(x-y)"},
                     Rule{"tanh(x*y)"}, Rule{"asin(x*y)", -0.75, 0.75},
-                    Rule{"acos(x*y)", -0.75, 0.75}, Rule{"atan(x*y)"}, Rule{"atan2(y, x)", 0.5, 2},
+                    Rule{"acos(x*y)", -0.75, 0.75}, Rule{"asinh(x*y)"}, Rule{"acosh(x*y)", 1.25, 2},
+                    Rule{"acosh(x) + y", -2, 0.875}, Rule{"erf(x*y)"}, Rule{"cbrt(x*y)", 0.5, 2},
+                    Rule{"cbrt(x)*y", -2, -0.5}, Rule{"atan(x*y)"}, Rule{"atan2(y, x)", 0.5, 2},
                     Rule{"atan2(x - 3, y)*x", -2, -0.5}, Rule{"cos(2*atan2(x, y))", -2, -0.5},
                     Rule{"chebyshev(5,x*y)", -1, 1}, Rule{"chebyshev(30,x)+y*x", -0.875, 0.875}));
 
@@ -144,6 +146,10 @@ TEST(Derivative, ClosedForms) {
         near("sin(x)^2 + cos(x)^2", 0);
         near("tanh(x)", 1 / (std::cosh(x) * std::cosh(x)));
         near("atan(x)", 1 / (1 + x * x));
+        near("asinh(x)", 1 / std::sqrt(1 + x * x));
+        near("acosh(x)", x > 1 ? 1 / std::sqrt(x * x - 1) : 0);
+        near("erf(x)", 2 * std::numbers::inv_sqrtpi * std::exp(-x * x));
+        if (x != 0) near("cbrt(x)", std::pow(std::abs(x), -2.0 / 3) / 3);
         near("log(cosh(x))", std::tanh(x));
         near("sum(blobs, cx*x^2)", -0.75 * x);
     }
@@ -157,6 +163,12 @@ TEST(Derivative, InverseSinesNearOne) {
     const double expected = 1 / std::sqrt(0x1p-40 * (2 - 0x1p-40));
     EXPECT_NEAR(slope_at("asin(x)", x), expected, 1e-14 * expected);
     EXPECT_NEAR(slope_at("acos(x)", x), -expected, 1e-14 * expected);
+}
+
+TEST(Derivative, InverseHyperbolicCosineNearOne) {
+    const double x = 1 + 0x1p-40;
+    const double expected = 1 / std::sqrt(0x1p-40 * (2 + 0x1p-40));
+    EXPECT_NEAR(slope_at("acosh(x)", x), expected, 1e-14 * expected);
 }
 
 TEST(Derivative, FollowsTheLeavesItIsToldTo) {

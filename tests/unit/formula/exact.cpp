@@ -55,6 +55,14 @@ Exact apply(Op op, const Exact& a) {
         return computed(mpfr_acos, within_unit());
     case Op::atan:
         return computed(mpfr_atan, a);
+    case Op::asinh:
+        return computed(mpfr_asinh, a);
+    case Op::acosh:
+        return a < 1 ? Exact(0) : computed(mpfr_acosh, a);
+    case Op::erf:
+        return computed(mpfr_erf, a);
+    case Op::cbrt:
+        return computed(mpfr_cbrt, a);
     case Op::floor: {
         Exact result;
         mpfr_floor(result.get(), a.get());

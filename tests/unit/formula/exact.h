@@ -65,9 +65,9 @@ inline Exact operator-(const Exact& a) { return Exact(0) - a; }
 std::ostream& operator<<(std::ostream& out, const Exact& a);
 void PrintTo(const Interval& a, std::ostream* out);
 
-// The operation on paper, with what Operations adds to it: sqrt, asin, acos and powers of 0 beyond
-// where they are defined, and 10^300 for infinity. Not cut off anywhere else. Undefined where
-// Operations<double> is NaN.
+// The operation on paper, with what Operations adds to it: sqrt, asin, acos, acosh and powers of 0
+// beyond where they are defined, and 10^300 for infinity. Not cut off anywhere else. Undefined
+// where Operations<double> is NaN.
 Exact apply(Op op, const Exact& a);
 Exact apply(Op op, const Exact& a, const Exact& b);
 Exact chebyshev(int n, int k, const Exact& x); // the k-th derivative of T_n

@@ -238,10 +238,10 @@ TEST(Glsl, KernelsAreTheOnesTheTextCalls) {
     EXPECT_EQ(kernels("exp(x)/y"), (Set{"exp", "divide"}));
     EXPECT_EQ(kernels("sum(blobs, x^cx) + sqrt(y)"), (Set{"pow", "sqrt"}));
     EXPECT_EQ(kernels("x^-3"), Set{"divide"});
-    EXPECT_EQ(
-        kernels("sin(x)+cos(x)+tan(x)+sinh(x)+cosh(x)+tanh(x)+asin(x)+acos(x)+atan(x)+log(x)+"
-                "atan2(y,x)"),
-        (Set{"sin", "cos", "tan", "sinh", "cosh", "tanh", "asin", "acos", "atan", "atan2", "log"}));
+    EXPECT_EQ(kernels("sin(x)+cos(x)+tan(x)+sinh(x)+cosh(x)+tanh(x)+asin(x)+acos(x)+atan(x)+log(x)+"
+                      "atan2(y,x)+asinh(x)+acosh(x)+erf(x)+cbrt(x)"),
+              (Set{"sin", "cos", "tan", "sinh", "cosh", "tanh", "asin", "acos", "atan", "atan2",
+                   "log", "asinh", "acosh", "erf", "cbrt"}));
     for (const auto* text : {"exp(x)/y", "sum(blobs, x^cx)+sqrt(y)", "tanh(x)*acos(y)"}) {
         const std::string code = glsl(text);
         for (const auto& kernel : kernels(text)) {

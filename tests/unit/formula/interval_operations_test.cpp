@@ -305,6 +305,13 @@ TEST(IntervalOperations, EndOfDomains) {
     EXPECT_EQ(Do::exp({1e4, 1e5}), Interval(Do::saturation(), infinity));
     EXPECT_EQ(Do::cosh({-1e4, 1}).lo, 1);
     EXPECT_EQ(Do::tanh(all), Interval(-1, 1));
+    EXPECT_EQ(Do::erf(all), Interval(-1, 1));
+    EXPECT_EQ(Do::erf({0, 1}).lo, 0);
+    EXPECT_EQ(Do::acosh({-3, 1}), Interval(0.0));
+    EXPECT_EQ(Do::acosh(all), Interval(0, infinity));
+    EXPECT_EQ(Do::asinh(all), all);
+    EXPECT_EQ(Do::cbrt(all), all);
+    EXPECT_EQ(Do::cbrt({0, infinity}), Interval(0, infinity));
 }
 
 TEST(IntervalOperations, Powers) {

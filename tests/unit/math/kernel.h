@@ -47,8 +47,8 @@ inline std::string shader_text(const std::string& name) {
 inline std::string kernel_source() {
     const std::string prelude = shader_text("prelude");
     std::string source = prelude.substr(prelude.find("#define IM_SATURATION"));
-    for (const char* file :
-         {"bits", "divide", "sqrt", "exp", "log", "pow", "trig", "inverse_trig"}) {
+    for (const char* file : {"bits", "divide", "sqrt", "exp", "log", "pow", "trig", "inverse_trig",
+                             "inverse_hyperbolic", "erf", "cbrt"}) {
         source += shader_text(std::string("math/") + file);
     }
     return source;

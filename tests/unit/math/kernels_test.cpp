@@ -53,6 +53,10 @@ const auto exp_of = [](double a, double) { return saturated(std::exp(a)); };
 const auto sinh_of = [](double a, double) { return saturated(std::sinh(a)); };
 const auto cosh_of = [](double a, double) { return saturated(std::cosh(a)); };
 const auto tanh_of = [](double a, double) { return std::tanh(a); };
+const auto asinh_of = [](double a, double) { return std::asinh(a); };
+const auto acosh_of = [](double a, double) { return a < 1 ? 0 : std::acosh(a); };
+const auto erf_of = [](double a, double) { return std::erf(a); };
+const auto cbrt_of = [](double a, double) { return std::cbrt(a); };
 const auto log_of = [](double a, double) { return std::log(a); };
 const auto pow_of = [](double a, double b) { return saturated(std::pow(a, b)); };
 const auto integer_pow_of = [](double a, double b) {
@@ -82,6 +86,16 @@ const Claim claims[] = {
     {"im_cosh(a)", cosh_of, {-75, 75}, {}, Unit::ulp, 2},
     {"im_tanh(a)", tanh_of, {-12, 12}, {}, Unit::ulp, 2},
     {"im_tanh(a)", tanh_of, {-1e38f, 1e38f, by_size}, {}, Unit::ulp, 2},
+    {"im_asinh(a)", asinh_of, {-4, 4}, {}, Unit::ulp, 3.2},
+    {"im_asinh(a)", asinh_of, {-1e-3f, 1e-3f}, {}, Unit::ulp, 3.2},
+    {"im_asinh(a)", asinh_of, {-3.4e38f, 3.4e38f, by_size}, {}, Unit::ulp, 3.2},
+    {"im_acosh(a)", acosh_of, {-1, 4}, {}, Unit::ulp, 4.4},
+    {"im_acosh(a)", acosh_of, {1, 1.01f}, {}, Unit::ulp, 4.4},
+    {"im_acosh(a)", acosh_of, {1, 3.4e38f, by_size}, {}, Unit::ulp, 3.2},
+    {"im_erf(a)", erf_of, {-5, 5}, {}, Unit::ulp, 2.3},
+    {"im_erf(a)", erf_of, {-1e38f, 1e38f, by_size}, {}, Unit::ulp, 2.3},
+    {"im_cbrt(a)", cbrt_of, {-10, 10}, {}, Unit::ulp, 1.6},
+    {"im_cbrt(a)", cbrt_of, {-3.4e38f, 3.4e38f, by_size}, {}, Unit::ulp, 1.6},
     {"im_log(a)", log_of, {0.5f, 2}, {}, Unit::ulp, 1.25},
     {"im_log(a)", log_of, {0.999f, 1.001f}, {}, Unit::ulp, 0.75},
     {"im_log(a)", log_of, {1.2e-38f, 3.4e38f, by_size}, {}, Unit::ulp, 1.25},

@@ -365,7 +365,9 @@ TEST_F(Assemble, ArraysAreStoredWhereTheyFit) {
 }
 
 TEST_F(Assemble, EachFileAppearsOnce) {
-    const auto* all_kernels = "sqrt(x)/y + exp(x)^y + log(x) + sin(x) + tan(y) + asin(x) + tanh(x)";
+    const auto* all_kernels =
+        "sqrt(x)/y + exp(x)^y + log(x) + sin(x) + tan(y) + asin(x) + tanh(x) + "
+        "asinh(x) + erf(x) + cbrt(x)";
     for (const auto& method : every_method) {
         for (const auto& bounds : every_bounds) {
             const Passes passes =
@@ -388,7 +390,8 @@ TEST_F(Assemble, EveryShaderFileIsUsedBySomeScene) {
     const auto add = [&](const Passes& passes) {
         for (const auto& file : passes.files()) used.insert(file);
     };
-    const auto* all_kernels = "sqrt(x)/y + exp(x)^y + log(x) + sin(x) + asin(x) + chebyshev(5, x)";
+    const auto* all_kernels = "sqrt(x)/y + exp(x)^y + log(x) + sin(x) + asin(x) + chebyshev(5, x) "
+                              "+ asinh(x) + erf(x) + cbrt(x)";
     for (const auto& method : every_method) {
         for (const auto& bounds : every_bounds) {
             const Passes passes =

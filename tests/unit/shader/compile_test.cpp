@@ -13,7 +13,7 @@ namespace {
 constexpr const char* all_operations =
     "sum(blobs, cx*min(x, cy)) + sqrt(x)/y + exp(x)^y + log(abs(x)) + sin(x)*cos(y) + tan(z) + "
     "asin(x) - acos(y)*atan(z) + sinh(x) - max(cosh(y), tanh(z)) + sign(x)*floor(y) + "
-    "chebyshev(30, x) - x^30 + atan2(y, x)*cos(2*atan2(y, z))";
+    "chebyshev(30, x) - x^30 + atan2(y, x)*cos(2*atan2(y, z)) + asinh(x)*acosh(y) - erf(x)*cbrt(y)";
 
 constexpr const char* two_arrays = "[arrays.blobs]\ncount = 5\ncx = 'i'\ncy = 1\n"
                                    "[arrays.links]\ncount = 3000\npx = 'i'\n";

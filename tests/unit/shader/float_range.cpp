@@ -162,6 +162,14 @@ private:
             return ranges::acos(a);
         case Op::atan:
             return ranges::increasing(a, 6, [](double v) { return std::atan(v); });
+        case Op::asinh:
+            return ranges::increasing(a, 6, [](double v) { return std::asinh(v); });
+        case Op::acosh:
+            return ranges::increasing(a, 8, [](double v) { return std::acosh(std::max(v, 1.0)); });
+        case Op::erf:
+            return ranges::increasing(a, 5, [](double v) { return std::erf(v); });
+        case Op::cbrt:
+            return ranges::increasing(a, 4, [](double v) { return std::cbrt(v); });
         case Op::atan2:
         case Op::angle: {
             using Do = formula::Operations<formula::Interval>;

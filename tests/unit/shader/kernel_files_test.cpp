@@ -79,7 +79,9 @@ TEST_F(KernelFiles, AKernelComesWithWhatItsFileNeeds) {
     // All that the writer of GLSL calls is there.
     const auto every = formula::make_field(
         "sqrt(x)/y + exp(x)^y + log(x) + sin(x) + cos(x) + tan(x) + sinh(x) + cosh(x) + tanh(x) + "
-        "asin(x) + acos(x) + atan(x) + atan2(y, x) + cos(atan2(y, x))",
+        "asin(x) + acos(x) + atan(x) + atan2(y, x) + cos(atan2(y, x)) + asinh(x) + acosh(x) + "
+        "erf(x) + "
+        "cbrt(x)",
         {});
     EXPECT_EQ(formula::kernels_used(every.value), kernels);
 }
