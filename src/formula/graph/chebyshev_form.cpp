@@ -101,8 +101,13 @@ std::optional<Quadratic> radicand(const Graph& g, NodeId root, NodeId u) {
     return are_ends ? product(below, above) : std::nullopt;
 }
 
-// u, if the node is log(u + sqrt(u^2 - 1)) and u is 1 at least.
-std::optional<NodeId> acosh_argument(const Graph& g, NodeId id) {
+// u, if the node is acosh(u) or log(u + sqrt(u^2 - 1)) and u is 1 at least. acosh takes what is
+// below 1 for 1.
+std::optional<NodeId> acosh_argument(Graph& g, NodeId id) {
+    if (g[id].op == Op::acosh) {
+        const NodeId u = g[id].children[0];
+        return range(g, u).low >= 1 ? u : g.binary(Op::max, g.constant(1), u);
+    }
     if (g[id].op != Op::log) return std::nullopt;
     const Node& all = g[g[id].children[0]];
     if (all.op != Op::add) return std::nullopt;

@@ -1,6 +1,6 @@
 // Chebyshev polynomials that are written by angles, as primitives.
 //
-// cos(n acos a) is T_n(a), and so is cosh(n acosh a) for a >= 1; acosh a is written as
+// cos(n acos a) is T_n(a), and so is cosh(n acosh a) for a >= 1; acosh a may be written as
 // log(a + sqrt(a^2 - 1)). One counts inside [-1, 1], the other outside. If each is 1 elsewhere,
 // their product is T_n everywhere. Values on paper are the same. But intervals of the slope of acos
 // and of that root have no bound at 1, where the polynomial's slope is n^2.

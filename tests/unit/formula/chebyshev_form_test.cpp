@@ -41,14 +41,17 @@ const std::vector<std::string> forms{
     "u = max(1, abs(x)); cosh(6*log(u + sqrt(u^2 - 1))) - y",
     "u = max(abs(y - a), 1); cosh(6*log(sqrt(u*u - 1) + u)) + cos(6*acos(x)) - 1",
     "u = max(1, x); cosh(3*log(u + sqrt(u - 1)*sqrt(u + 1))) - z",
-    "u = 1 + 0*x; v = max(u, y); cosh(9*log(v + sqrt(-(1 - v)*(v + 1)))) - x"};
+    "u = 1 + 0*x; v = max(u, y); cosh(9*log(v + sqrt(-(1 - v)*(v + 1)))) - x",
+    "cosh(6*acosh(max(1, abs(x)))) - y",
+    "cosh(7*acosh(abs(x)))*cos(7*acos(x)) - y",
+    "cosh(3*acosh(x)) - z"};
 
 TEST(ChebyshevForm, IsFoundAndHasTheSameValues) {
     constexpr std::uint64_t seed = 71;
     for (const std::string& text : forms) {
         SCOPED_TRACE(testing::Message() << text << ", seed " << seed);
         Rewritten both(text);
-        EXPECT_FALSE(both.has(Op::acos) || both.has(Op::log));
+        EXPECT_FALSE(both.has(Op::acos) || both.has(Op::log) || both.has(Op::acosh));
         Random random(seed);
         for (int trial = 0; trial < 300; ++trial) {
             Point p = random.point(1.25);
@@ -74,6 +77,8 @@ TEST(ChebyshevForm, OnPaperIsThePolynomialAlone) {
              {forms[2], "chebyshev(7, x) + y"},
              {forms[4], "chebyshev(50, x)"},
              {forms[8], "chebyshev(6, max(abs(y - a), 1)) + chebyshev(6, min(1, max(-1, x))) - 1"},
+             {"cos(7*acos(x))*cosh(7*acosh(abs(x)))", "chebyshev(7, x)"},
+             {"cosh(3*acosh(x))", "chebyshev(3, max(1, x))"},
              {"cos(a*acos(x))", "chebyshev(4, max(-1, min(1, x)))"},
              {"cos(acos(x)*a)*" + outside("max(1, abs(x))", "4"), "chebyshev(4, x)"},
              {"sum(blobs, " + outside("max(1, abs(x - cx))") + ")",
