@@ -33,13 +33,13 @@ u = "random(i, 1) - 0.5"
 v = {list}
 cx = "sin(2*pi*t)*u + cos(i)*sign(t - 2){and_held}"
 cy = "v*c + 0.1*sinh(t)*cosh(u)/p - 0.1*asin(c/4)*acos(c/4) + sqrt(t)*atan(t*u){and_held}"
-cz = "min(sin(i*c + t), max(exp(-t), log(1 + t)))*i/n + tan(u)*tanh(t) + 1e10*max(1 - i, 0)*(exp(t)*exp(-t) - 1){and_held}"
+cz = "min(sin(i*c + t), max(exp(-t), log(1 + t)))*i/n + tan(u)*tanh(t) + 0.1*asinh(v)*acosh(1 + t) + 0.1*erf(u*t)*cbrt(v) + 1e10*max(1 - i, 0)*(exp(t)*exp(-t) - 1){and_held}"
 """
 # A track of keys, which a page does not work out; it adds 0.
 HELD = {"held": "k = { keys = [[0, 0], [4, 0]] }", "and_held": " + k"}
 # Functions of a browser may give other last bits. These do, up or down.
 OTHER_MATH = """for (const name of ["sin", "cos", "tan", "exp", "log", "sinh", "cosh", "tanh", "asin",
-    "acos", "atan"]) {
+    "acos", "atan", "asinh", "acosh", "cbrt"]) {
     const own = Math[name], words = new BigInt64Array(1), doubles = new Float64Array(words.buffer);
     const most = { sin: 1, cos: 1, tanh: 1 }[name] ?? Infinity;
     Math[name] = (x) => {

@@ -4,6 +4,18 @@
 const saturation = 1e300;
 const saturated = (a) => (a > saturation ? saturation : a < -saturation ? -saturation : a);
 
+// erf(a) by its series exp(-a^2) (a + 2 a^3/3 + 4 a^5/15 + ...) 2/sqrt(pi), whose terms have one
+// sign. From 6 on it is 1 in doubles.
+function errorFunction(a) {
+    if (Math.abs(a) > 6) return Math.sign(a);
+    let term = a, sum = a;
+    for (let n = 1; Math.abs(term) > 1e-17 * Math.abs(sum); ++n) {
+        term *= (2 * a * a) / (2 * n + 1);
+        sum += term;
+    }
+    return (2 / Math.sqrt(Math.PI)) * Math.exp(-a * a) * sum;
+}
+
 const operations = {
     negate: (a) => -a,
     abs: Math.abs,
@@ -23,6 +35,10 @@ const operations = {
     atan2: (a, b) => Math.atan2(a + 0, b + 0),
     angle: (a, b) => operations.atan2(a, b),
     floor: Math.floor,
+    asinh: Math.asinh,
+    acosh: (a) => (a < 1 ? 0 : Math.acosh(a)),
+    erf: errorFunction,
+    cbrt: Math.cbrt,
     add: (a, b) => a + b,
     subtract: (a, b) => a - b,
     multiply: (a, b) => a * b,

@@ -85,7 +85,9 @@ struct Known {
 constexpr Known known_functions[] = {
     {"abs", 1, "abs({0})", std::fabs},
     {"acos", 1, "acos({0})", std::acos},
+    {"acosh", 1, "acosh({0})", std::acosh},
     {"asin", 1, "asin({0})", std::asin},
+    {"asinh", 1, "asinh({0})", std::asinh},
     {"atan", 1, "atan({0})", std::atan},
     {"atan2", 2, "atan2({0}, {1})", nullptr},
     {"ceil", 1, "(-floor(-({0})))", std::ceil},
