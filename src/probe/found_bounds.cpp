@@ -24,8 +24,8 @@ struct Box {
 
 Box hull(const Box& a, const Box& b) { return {glm::min(a.low, b.low), glm::max(a.high, b.high)}; }
 
-// Operations on intervals, of all groups of frames together; operations of the frames' values; and
-// boxes that are looked at in turn.
+// Operations on intervals, of all groups of frames together, for the whole search; operations of
+// the frames' values; and boxes that are looked at in turn.
 constexpr double most_evaluated = 1e8, most_of_frames = 3e7;
 constexpr std::size_t most_boxes = 80'000;
 constexpr int groups = 16;
@@ -97,8 +97,8 @@ public:
     // Halves boxes along all axes as far as `levels` and work allow. Goes on with those alone that
     // `matters` names.
     template<class Matters>
-    std::vector<Box> of(const Box& whole, int levels, const Matters& matters) {
-        std::vector<Box> boxes{whole};
+    std::vector<Box> of(std::vector<Box> boxes, int levels, const Matters& matters) {
+        was_cut_short_ = false;
         for (int level = 0; level < levels && !boxes.empty(); ++level) {
             if (8 * boxes.size() > most_boxes) break;
             const double work = each_ * 8 * double(boxes.size());
@@ -112,10 +112,28 @@ public:
         }
         return boxes;
     }
-    std::vector<Box> of(const Box& whole, int levels) {
-        return of(whole, levels, [](const Box&) { return true; });
+    std::vector<Box> of(std::vector<Box> boxes, int levels) {
+        return of(std::move(boxes), levels, [](const Box&) { return true; });
     }
-    // Whether there was more work than is allowed.
+    // Whether F has both signs at the corners of these boxes.
+    bool changes_sign(const std::vector<Box>& boxes) {
+        bool is_below = false, is_above = false;
+        for (const Box& box : boxes) {
+            std::vector<Box> corners;
+            for (int k = 0; k < 8; ++k) {
+                const glm::dvec3 part(k & 1, k >> 1 & 1, k >> 2);
+                const glm::dvec3 corner = glm::mix(box.low, box.high, part);
+                corners.push_back({corner, corner});
+            }
+            for (const Interval value : values_in(corners)) {
+                is_below = is_below || value.hi < 0;
+                is_above = is_above || value.lo > 0;
+            }
+            if (is_below && is_above) return true;
+        }
+        return false;
+    }
+    // Whether there was more work than is allowed, the last time.
     bool was_cut_short() const { return was_cut_short_; }
 
 private:
@@ -132,7 +150,7 @@ private:
         return parts;
     }
 
-    std::vector<Box> kept(const std::vector<Box>& boxes) {
+    std::vector<Interval> values_in(const std::vector<Box>& boxes) {
         std::array<std::vector<Interval>, 3> inputs;
         for (const Box& box : boxes) {
             for (int k = 0; k < 3; ++k)
@@ -142,6 +160,11 @@ private:
         const std::array<std::span<const Interval>, 3> from{inputs[0], inputs[1], inputs[2]};
         const std::array<std::span<Interval>, 1> to{values};
         evaluator_.points(values_, from, to);
+        return values;
+    }
+
+    std::vector<Box> kept(const std::vector<Box>& boxes) {
+        const std::vector<Interval> values = values_in(boxes);
         std::vector<Box> found;
         for (std::size_t k = 0; k < boxes.size(); ++k) {
             if (contains(values[k], 0.0)) found.push_back(boxes[k]);
@@ -160,25 +183,27 @@ bool reaches_out(const Box& box, const Box& of) {
            glm::any(glm::greaterThanEqual(box.high, of.high));
 }
 
-// Where in a box a surface lies at some values.
-struct Within {
-    bool reaches_out = false; // then not all boxes are there
-    bool is_known = true;     // else the work ended before boxes kept off the faces
-    std::vector<Box> boxes;
-};
+Box about_origin(double reach) { return {glm::dvec3(-reach), glm::dvec3(reach)}; }
+
+// The part of a box about the origin that lies beyond a smaller one: a slab at each face.
+std::vector<Box> beyond(const Box& held, const Box& whole) {
+    std::vector<Box> slabs;
+    Box rest = whole;
+    for (int axis = 0; axis < 3; ++axis) {
+        Box low = rest, high = rest;
+        low.high[axis] = held.low[axis];
+        high.low[axis] = held.high[axis];
+        rest.low[axis] = held.low[axis];
+        rest.high[axis] = held.high[axis];
+        slabs.insert(slabs.end(), {low, high});
+    }
+    return slabs;
+}
 
 // Looks closer about what is small, a few times.
-Within surface_within(const Box& everywhere, const formula::Program& program, const Values& values,
-                      double operations) {
-    constexpr int levels = 6, turns = 6, levels_at_faces = 5;
-    Cover covering(program, values, operations);
-    const auto is_out = [&](const Box& box) { return reaches_out(box, everywhere); };
-    // Most surfaces that go on are told by the faces, which are fewer boxes.
-    const bool is_first = everywhere.high.x == FoundBounds::reach;
-    if (!is_first && !covering.of(everywhere, levels_at_faces, is_out).empty())
-        return {true, !covering.was_cut_short(), {}};
-    std::vector<Box> boxes = covering.of(everywhere, levels);
-    if (std::ranges::any_of(boxes, is_out)) return {true, !covering.was_cut_short(), {}};
+std::vector<Box> closer(Cover& covering, const Box& everywhere, std::vector<Box> boxes,
+                        int levels) {
+    constexpr int turns = 6;
     Box whole = everywhere;
     for (int turn = 1; turn < turns && !boxes.empty(); ++turn) {
         Box about = boxes.front();
@@ -186,23 +211,62 @@ Within surface_within(const Box& everywhere, const formula::Program& program, co
         const glm::dvec3 before = whole.high - whole.low, now = about.high - about.low;
         if (std::max({now.x, now.y, now.z}) > 0.3 * std::max({before.x, before.y, before.z})) break;
         whole = about;
-        boxes = covering.of(about, levels);
+        boxes = covering.of({about}, levels);
     }
-    return {false, true, std::move(boxes)};
+    return boxes;
 }
 
-// The same at any of the values.
-Within surface_within(double reach, const formula::Program& program,
-                      const std::vector<Values>& values) {
-    const Box everywhere{glm::dvec3(-reach), glm::dvec3(reach)};
-    Within all;
-    for (const Values& some : values) {
-        const Within now =
-            surface_within(everywhere, program, some, most_evaluated / double(values.size()));
-        if (now.reaches_out) return now;
-        all.boxes.insert(all.boxes.end(), now.boxes.begin(), now.boxes.end());
+// Where a surface lies at some values.
+struct Place {
+    std::vector<Box> boxes;
+    bool goes_on = false; // or may lie elsewhere, too
+};
+
+// Adds what lies beyond the reach that holds a first part, where it is plainly another part.
+void add_beyond(double held, const formula::Program& program, const Values& values,
+                double operations, Place& place) {
+    constexpr int levels = 6;
+    Cover covering(program, values, operations);
+    for (double reach = held * FoundBounds::wider; reach <= FoundBounds::farthest;
+         held = reach, reach *= FoundBounds::wider) {
+        const Box everywhere = about_origin(reach);
+        const std::vector<Box> slabs = beyond(about_origin(held), everywhere);
+        const std::vector<Box> coarse = covering.of(slabs, levels);
+        if (coarse.empty()) continue;
+        const bool is_apart = std::ranges::none_of(
+            coarse, [&](const Box& box) { return reaches_out(box, everywhere); });
+        const std::vector<Box> more =
+            is_apart ? covering.of(coarse, levels) : std::vector<Box>{}; // close enough for signs
+        place.goes_on = !is_apart || covering.was_cut_short() ||
+                        (!more.empty() && !covering.changes_sign(more));
+        if (place.goes_on) return;
+        place.boxes.insert(place.boxes.end(), more.begin(), more.end());
     }
-    return all;
+}
+
+// None where the work ended before boxes kept off the faces of the first reach.
+std::optional<Place> place_of(const formula::Program& program, const Values& values,
+                              double operations) {
+    constexpr int levels = 6, levels_at_faces = 5;
+    Cover covering(program, values, operations);
+    bool goes_on = false;
+    for (double reach = FoundBounds::reach; reach <= FoundBounds::farthest;
+         reach *= FoundBounds::wider) {
+        const bool is_first = reach == FoundBounds::reach;
+        const Box everywhere = about_origin(reach);
+        const auto is_out = [&](const Box& box) { return reaches_out(box, everywhere); };
+        // Most surfaces that go on are told by the faces, which are fewer boxes.
+        goes_on = !is_first && !covering.of({everywhere}, levels_at_faces, is_out).empty();
+        if (goes_on) continue;
+        std::vector<Box> boxes = covering.of({everywhere}, levels);
+        goes_on = std::ranges::any_of(boxes, is_out);
+        if (goes_on && covering.was_cut_short() && is_first) return std::nullopt;
+        if (goes_on || boxes.empty()) continue;
+        Place place{closer(covering, everywhere, std::move(boxes), levels)};
+        add_beyond(reach, program, values, operations, place);
+        return place;
+    }
+    return Place{{}, goes_on};
 }
 
 // A radius that a person would write, and no smaller one.
@@ -223,18 +287,19 @@ std::optional<FoundBounds> find_bounds(const OneSurface& one) {
     const auto values = values_of_frames(one);
     if (!values) return std::nullopt;
     std::vector<Box> all;
-    for (double reach = FoundBounds::reach; reach <= FoundBounds::farthest && all.empty();
-         reach *= FoundBounds::wider) {
-        Within found = surface_within(reach, program, *values);
-        if (!found.is_known && reach == FoundBounds::reach) return std::nullopt;
-        if (!found.is_known) break;
-        all = std::move(found.boxes);
+    bool goes_on = false;
+    for (const Values& some : *values) {
+        const auto place = place_of(program, some, most_evaluated / double(values->size()));
+        if (!place) return std::nullopt;
+        if (place->goes_on && place->boxes.empty()) return FoundBounds{};
+        goes_on = goes_on || place->goes_on;
+        all.insert(all.end(), place->boxes.begin(), place->boxes.end());
     }
     if (all.empty()) return FoundBounds{};
     Box about = all.front();
     for (const Box& box : all) about = hull(about, box);
     FoundBounds found;
-    found.is_about_surface = true;
+    found.is_about_surface = !goes_on;
     const glm::dvec3 middle = 0.5 * (about.low + about.high);
     const double size = glm::length(about.high - about.low);
     // A surface about the origin has its bounds there.

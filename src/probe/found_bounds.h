@@ -11,14 +11,16 @@ namespace isomotion::probe {
 
 struct FoundBounds {
     // The search for the surface covers -reach to reach along each axis, and goes on to reaches
-    // that are `wider` times as large each, up to `farthest`, until one holds the surface.
+    // that are `wider` times as large each, up to `farthest`, until one holds the surface of a
+    // frame.
     static constexpr double reach = 10, wider = 8, farthest = 3e6;
-    // The radius if the surface extends beyond them all, or if no surface is found.
+    // The radius if the surface goes on beyond them all, if none is found, and if the work ends.
     static constexpr double otherwise = 3;
 
     glm::dvec3 centre{0};
     double radius = otherwise;
-    // At all frames; false if it extends beyond, or if there may be none.
+    // At all frames, up to the farthest reach; false if it goes on beyond the ball, if a part of it
+    // may lie elsewhere, or if there may be none.
     bool is_about_surface = false;
 };
 

@@ -117,8 +117,7 @@ std::vector<SectionDescription> key_sections() {
     add({"surface", 0, "one of `formula` and `use`"}, surface_keys);
     add({"surface.bounds", 0, "what lies beyond is not drawn: a ball or a box",
          "the catalogue's; of a formula a ball about the surface, found by intervals, or of radius "
-         "3 "
-         "where it goes on beyond 10 units"},
+         "3 where it goes on for ever"},
         ball_keys, box_keys);
     add({"surface.transform", 0, "from formula to world coordinates", "none"}, transform_keys);
     add({"surfaces", most_surfaces,

@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "formula/graph/conditions.h"
+#include "formula/graph/library.h"
 
 namespace isomotion::formula {
 
@@ -30,9 +31,16 @@ NodeId FormulaParser::formula() {
     NodeId root = value();
     skip_space();
     const std::size_t place = at_;
+    const bool may_compare = rest().starts_with("==");
     const bool is_equation = vocabulary_.allows_equation && accept_equals();
     if (is_equation) {
-        root = checked(graph_.subtract(root, value()), place, out_of_range);
+        // x == 1 and y > 0 compares, in other languages.
+        const NodeId right = may_compare ? expression() : value();
+        skip_space();
+        const bool goes_on = at_ < text_.size() && peek() != '=';
+        if (may_compare && (joins_conditions_ || goes_on))
+            fail(place, "put the comparison in parentheses: (a == b)");
+        root = checked(graph_.subtract(root, right), place, out_of_range);
         skip_space();
         if (peek() == '=') fail(at_, "a formula has one '=' at most");
     }
@@ -130,7 +138,7 @@ void FormulaParser::define_function(std::string_view name,
         if (std::count(arguments.begin(), arguments.end(), argument) > 1)
             fail(begin, fmt::format("two arguments of '{}' are named '{}'", name, argument));
     }
-    FormulaParser body(text_, names_, own().bodies());
+    FormulaParser body(text_, names_, own().bodies(), library_);
     body.outer_ = this;
     body.at_ = at_;
     body.function_ = name;
@@ -236,7 +244,7 @@ NodeId parse(std::string_view text, const Vocabulary& vocabulary, Graph& graph) 
 }
 
 NodeId parse(std::string_view text, const Names& names, Graph& graph) {
-    return FormulaParser(text, names, graph).formula();
+    return FormulaParser(text, names, graph, &library()).formula();
 }
 
 } // namespace isomotion::formula

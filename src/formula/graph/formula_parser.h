@@ -25,11 +25,14 @@ namespace isomotion::formula {
 
 class FormulaParser : private TextCursor {
 public:
-    FormulaParser(std::string_view text, const Names& names, Graph& graph)
+    // `library`: functions that the formula need not define, or null.
+    FormulaParser(std::string_view text, const Names& names, Graph& graph,
+                  const OwnFunctions* library)
         : TextCursor(text)
         , names_(names)
         , vocabulary_(names.vocabulary())
         , graph_(graph)
+        , library_(library)
         , is_enclosed_(!vocabulary_.allows_equation) {}
 
     NodeId formula();
@@ -90,12 +93,17 @@ private:
     NodeId fraction(std::size_t begin);
     // \sqrt{a}, \sqrt[3]{a}
     NodeId root(std::size_t begin);
+    NodeId root_sign(int degree, std::size_t begin);
     NodeId root_of(int degree, NodeId of, std::size_t place);
+    // What an exponent or a root is of.
+    template<class Read> NodeId bound_tightly(const Read& read);
     NodeId name_or_call(std::string_view word, std::size_t begin);
-    // xyz is x*y*z: x is read, and the rest follows as the next factors. Only coordinates are.
+    // xyz is x*y*z: x is read, and the rest follows as the next factors. Only coordinates are, and
+    // not in exponents and roots, 2^xy.
     std::optional<NodeId> first_of_product(std::string_view word, std::size_t begin);
     // sin^2(x) is sin(x)^2, but sin^-1 is the inverse function to some.
     std::optional<int> exponent_of_function(std::string_view name, std::size_t begin);
+    bool begins_condition() const;
     NodeId if_then_else(std::size_t begin);
     NodeId number();
 
@@ -109,6 +117,9 @@ private:
     Defined defined_function(std::string_view name);
     NodeId call_defined(const Defined& defined, const std::vector<NodeId>& arguments,
                         std::string_view name, std::size_t begin);
+    // What `make` makes. Tells a CallError at the place.
+    template<class Make> NodeId made(std::size_t begin, const Make& make);
+    bool has_place() const; // whether x, y and z are its inputs 0 to 2
     // f(x - 1, y, z), where f is an argument or a named part: it at another point.
     std::optional<NodeId> at_another_point(std::string_view word);
     void check_constants(std::size_t first, std::string_view name, std::size_t place) const;
@@ -118,11 +129,12 @@ private:
     // The parts of a vector, where one is an argument: vec2(a, b), p for the point, p.xy. Stays
     // where there is none.
     std::optional<std::vector<NodeId>> accept_vector();
+    std::vector<NodeId> parts_of_length(std::size_t begin);
     // A function of x, y and z that stands for its value: twist(body, 2).
     std::optional<NodeId> function_at_the_point(std::string_view word, std::size_t begin);
     // Behind p: nothing, or .xy and the like.
     std::optional<std::vector<NodeId>> parts_of_point();
-    std::vector<NodeId> argument_list(bool takes_vectors = false);
+    std::vector<NodeId> argument_list();
     NodeId chebyshev();
     NodeId dot(std::size_t begin);
     // sum(array, a), least(array, a), greatest(array, a); for the last two also what is asked of
@@ -161,11 +173,13 @@ private:
             : owner(parser)
             , bars(std::exchange(owner.open_bars_, 0))
             , is_compared(std::exchange(owner.is_compared_, false))
+            , is_tight(std::exchange(owner.is_tight_, false))
             , is_enclosed(std::exchange(owner.is_enclosed_, true))
             , outer_closing(std::exchange(owner.closing_, closing)) {}
         ~Enclosed() {
             owner.open_bars_ = bars;
             owner.is_compared_ = is_compared;
+            owner.is_tight_ = is_tight;
             owner.is_enclosed_ = is_enclosed;
             owner.closing_ = outer_closing;
         }
@@ -173,7 +187,7 @@ private:
         Enclosed& operator=(const Enclosed&) = delete;
         FormulaParser& owner;
         int bars;
-        bool is_compared, is_enclosed;
+        bool is_compared, is_tight, is_enclosed;
         char outer_closing;
     };
 
@@ -191,16 +205,19 @@ private:
     const Names& names_;
     const Vocabulary& vocabulary_;
     Graph& graph_;
+    const OwnFunctions* library_;
     int depth_ = 0;
     int open_bars_ = 0;                 // absolute values that wait for their closing bar
     bool is_compared_ = false;          // behind a comparison's sign
+    bool is_tight_ = false;             // in an exponent or behind the sign of a root
     bool is_enclosed_;                  // by parentheses, or where no equation may be
+    bool joins_conditions_ = false;     // by `and` or `or`, outside of parentheses
     char closing_ = ')';                // of the arguments that are read
     std::vector<OpenLoop> open_arrays_; // arrays being gone through
     std::map<std::string, NodeId, std::less<>> definitions_;
     OwnFunctions own_functions_;
     std::size_t work_ = 0; // operations that calls of own functions have looked at
-    // Of the parser of a function's body.
+    // Where this parses the body of a function:
     FormulaParser* outer_ = nullptr;
     std::string_view function_;
     std::vector<std::string> arguments_;

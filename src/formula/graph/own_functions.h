@@ -5,6 +5,7 @@
 #include <map>
 #include <optional>
 #include <span>
+#include <stdexcept>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -12,6 +13,11 @@
 #include "formula/graph/graph.h"
 
 namespace isomotion::formula {
+
+// A call that can't be made: what() says why, and the caller knows the place.
+class CallError : public std::runtime_error {
+    using std::runtime_error::runtime_error;
+};
 
 struct OwnFunction {
     std::vector<std::string> arguments;
@@ -33,17 +39,18 @@ public:
     const OwnFunction* find(std::string_view name) const; // null if there is none
     std::vector<std::string> names() const;
 
-    // The call's node. `to` may be bodies(): then what stands for nodes outside stays.
-    NodeId call(Graph& to, const OwnFunction& function, std::span<const NodeId> arguments) const;
-    // What a call looks at, as a measure of its work.
-    std::size_t work_of(const OwnFunction& function) const {
-        return std::size_t(function.body) + 1;
-    }
+    // The call's node. `to` may be bodies(): then what stands for nodes outside stays. `work` grows
+    // by the operations that the call looks at. Throws CallError.
+    NodeId call(Graph& to, const OwnFunction& function, std::span<const NodeId> arguments,
+                std::size_t& work) const;
+    // Whether the function's value depends on the place, or on what an argument is elsewhere.
+    bool has_place(const OwnFunction& function) const;
     // One of these arrays that the function goes through.
     std::optional<int> array_of(const OwnFunction& function, std::span<const int> arrays) const;
 
 private:
-    friend NodeId at_point(Graph& graph, NodeId expression, const std::array<NodeId, 3>& point);
+    friend NodeId at_point(Graph& graph, NodeId expression, const std::array<NodeId, 3>& point,
+                           std::size_t& work);
     // Beyond all inputs that formulas have.
     static constexpr int first_argument = 1 << 17, first_outside = 1 << 18;
 
@@ -51,8 +58,10 @@ private:
     std::map<std::string, OwnFunction, std::less<>> functions_;
 };
 
-// The expression with these in place of x, y and z, inputs 0 to 2: of a solid that is moved.
-NodeId at_point(Graph& graph, NodeId expression, const std::array<NodeId, 3>& point);
+// The expression with these in place of x, y and z, inputs 0 to 2. `work` grows likewise. Throws
+// CallError.
+NodeId at_point(Graph& graph, NodeId expression, const std::array<NodeId, 3>& point,
+                std::size_t& work);
 
 // Whether a node from `first` on is a constant without a value: no number, cut off, or 1/0. What a
 // call makes of constants can't be told where its function is defined.

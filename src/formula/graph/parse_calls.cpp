@@ -6,19 +6,20 @@
 
 #include "base/nearest_name.h"
 #include "formula/graph/composed_functions.h"
-#include "formula/graph/library.h"
+#include "formula/graph/conditions.h"
 #include "formula/graph/spelling.h"
 #include "formula/graph/substitute.h"
 
 namespace isomotion::formula {
 namespace {
 
-std::vector<std::string> function_names() {
+std::vector<std::string> function_names(const OwnFunctions* library) {
     std::vector<std::string> names;
     for (const std::span<const Function> rows : {functions(), composed_functions()}) {
         for (const Function& function : rows) names.emplace_back(function.name);
     }
-    for (const std::string& name : library().names()) names.push_back(name);
+    for (const std::string& name : library ? library->names() : std::vector<std::string>{})
+        names.push_back(name);
     return names;
 }
 
@@ -26,8 +27,8 @@ std::vector<std::string> function_names() {
 
 FormulaParser::Defined FormulaParser::defined_function(std::string_view name) {
     if (const OwnFunction* found = own().find(name)) return {&own(), found};
-    if (find_function(plain_name(name))) return {};
-    return {&library(), library().find(name)};
+    if (!library_ || find_function(plain_name(name))) return {};
+    return {library_, library_->find(name)};
 }
 
 NodeId FormulaParser::call_defined(const Defined& defined, const std::vector<NodeId>& arguments,
@@ -44,13 +45,30 @@ NodeId FormulaParser::call_defined(const Defined& defined, const std::vector<Nod
         fail(begin, fmt::format("'{}' goes through '{}', and is called where that is done", name,
                                 vocabulary_.arrays[std::size_t(*array)].name));
     }
+    if (owner == library_ && !has_place() && owner->has_place(*function))
+        fail(begin, fmt::format("'{}' is of a place, which this expression has not", name));
     const std::size_t first = graph_.size();
-    const NodeId value = owner->call(graph_, *function, arguments);
-    work() += owner->work_of(*function) + graph_.size() - first;
-    if (work() > limits::calls_work) fail(begin, "the formula calls large functions too often");
+    std::vector<NodeId> given = arguments;
+    for (NodeId& argument : given) { // a condition is its solid there
+        const bool is_solid =
+            owner == library_ && is_choice(graph_[argument]) && is_condition(graph_, argument);
+        if (is_solid) argument = solid_of(graph_, argument);
+    }
+    const NodeId value = made(begin, [&] { return owner->call(graph_, *function, given, work()); });
     check_constants(first, name, begin);
-    check_size();
     return value;
+}
+
+template<class Make> NodeId FormulaParser::made(std::size_t begin, const Make& make) {
+    try {
+        return make();
+    } catch (const CallError& error) {
+        fail(begin, error.what());
+    }
+}
+
+bool FormulaParser::has_place() const {
+    return names_.input("x") == 0 && names_.input("y") == 1 && names_.input("z") == 2;
 }
 
 std::optional<NodeId> FormulaParser::function_at_the_point(std::string_view word,
@@ -72,9 +90,7 @@ std::optional<NodeId> FormulaParser::at_another_point(std::string_view word) {
     if (!is_argument && !is_part) return std::nullopt;
     const std::size_t end = at_;
     skip_space();
-    const bool has_place =
-        names_.input("x") == 0 && names_.input("y") == 1 && names_.input("z") == 2;
-    if (!has_place || parts_ahead() != 3) {
+    if (!has_place() || group_ahead().parts != 3) {
         at_ = end;
         return std::nullopt;
     }
@@ -83,11 +99,10 @@ std::optional<NodeId> FormulaParser::at_another_point(std::string_view word) {
     const Enclosed enclosed(*this, accept_opening().value());
     const std::vector<NodeId> point = argument_list();
     const std::size_t first = graph_.size();
-    const NodeId moved = at_point(graph_, of, {point[0], point[1], point[2]});
-    work() += std::size_t(of) + graph_.size() - first;
-    if (work() > limits::calls_work) fail(begin, "the formula moves large parts too often");
+    const NodeId moved = made(begin, [&] {
+        return at_point(graph_, of, {point[0], point[1], point[2]}, work());
+    });
     check_constants(first, word, begin);
-    check_size();
     return moved;
 }
 
@@ -112,10 +127,11 @@ NodeId FormulaParser::called_by(std::string_view name, std::size_t begin) {
     const Function* function = find_function(name);
     if (!function) {
         fail(begin, fmt::format("there is no function '{}'{}", name,
-                                hint_for_call(name, function_names())));
+                                hint_for_call(name, function_names(library_))));
     }
     const std::size_t first_argument = at_;
-    const std::vector<NodeId> arguments = argument_list(name == "length");
+    const std::vector<NodeId> arguments =
+        name == "length" ? parts_of_length(begin) : argument_list();
     if (name == "random" && !vocabulary_.allows_random) {
         fail(begin, "random is for animation: give a parameter or an array field its value "
                     "with random(i, k), not the formula");
@@ -158,7 +174,11 @@ std::optional<std::vector<NodeId>> FormulaParser::accept_vector() {
     constexpr std::array<std::string_view, 4> kinds{"vec2", "vec3", "float2", "float3"};
     if (std::ranges::count(kinds, word) > 0 && accept('(')) {
         const Enclosed enclosed(*this, ')');
-        return argument_list(false);
+        std::vector<NodeId> parts = argument_list();
+        const auto wanted = std::size_t(word.back() - '0');
+        if (parts.size() != wanted)
+            fail(place, fmt::format("{} takes {} parts, not {}", word, wanted, parts.size()));
+        return parts;
     }
     if (const auto parts = is_point(word) ? parts_of_point() : std::nullopt) {
         skip_space();
@@ -183,32 +203,37 @@ std::optional<std::vector<NodeId>> FormulaParser::parts_of_point() {
     return parts;
 }
 
-std::vector<NodeId> FormulaParser::argument_list(bool takes_vectors) {
+std::vector<NodeId> FormulaParser::argument_list() {
     std::vector<NodeId> arguments;
     skip_space();
     if (accept(closing_)) return arguments;
     do {
-        const std::optional<std::vector<NodeId>> parts =
-            takes_vectors ? accept_vector() : std::nullopt;
-        if (parts)
-            arguments.insert(arguments.end(), parts->begin(), parts->end());
-        else
-            arguments.push_back(value());
+        arguments.push_back(value());
         skip_space();
     } while (accept(','));
     expect_closing("to close the argument list");
     return arguments;
 }
 
-// dot(p, vec3(a, b, c)), and dot(a, b, c, d) of two vectors' parts.
+// length(a, b, c), and length of a vector.
+std::vector<NodeId> FormulaParser::parts_of_length(std::size_t begin) {
+    const auto parts = accept_vector();
+    if (!parts) return argument_list();
+    skip_space();
+    if (!accept(closing_)) fail(begin, "length takes one vector, or the parts of one");
+    return *parts;
+}
+
 NodeId FormulaParser::dot(std::size_t begin) {
-    const std::vector<NodeId> parts = argument_list(true);
-    const std::size_t half = parts.size() / 2;
-    if (half == 0 || parts.size() % 2 != 0)
-        fail(begin, "dot takes two vectors, with as many parts each");
+    const auto first = accept_vector();
+    skip_space();
+    const auto second = accept(',') ? accept_vector() : std::nullopt;
+    if (!first || !second || first->size() != second->size())
+        fail(begin, "dot takes two vectors of as many parts: p, p.xy, vec3(a, b, c)");
+    expect_closing("to close the argument list");
     NodeId sum = graph_.constant(0);
-    for (std::size_t k = 0; k < half; ++k)
-        sum = graph_.add(sum, graph_.multiply(parts[k], parts[half + k]));
+    for (std::size_t k = 0; k < first->size(); ++k)
+        sum = graph_.add(sum, graph_.multiply((*first)[k], (*second)[k]));
     return checked(sum, begin, out_of_range);
 }
 

@@ -34,6 +34,7 @@ std::string_view hint_for_sign(std::string_view sign) {
     const bool compares = sign == "<" || sign == ">" || sign == "≤" || sign == "≥";
     if (compares) return ": a comparison has a value on either side: a < b, a <= b";
     if (sign == "{") return ": write if(condition, a, b), or a condition: a and x > 0";
+    if (sign == "!" || sign == "≠") return ": put the comparison in parentheses, (a != b)";
     if (sign == "‖") return ": write length(x, y, z)";
     // Letters of other alphabets.
     const bool is_greek = sign.size() == 2 && (sign.front() == '\xce' || sign.front() == '\xcf');

@@ -6,6 +6,7 @@
 #include <charconv>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 #include "formula/graph/conditions.h"
 #include "formula/graph/spelling.h"
@@ -25,6 +26,7 @@ NodeId FormulaParser::value() {
 NodeId FormulaParser::disjunction() {
     std::vector<NodeId> all{conjunction()};
     while (accept_connective("or") || accept("||") || accept("∨")) all.push_back(conjunction());
+    if (!is_enclosed_ && all.size() > 1) joins_conditions_ = true;
     return is_any(graph_, all);
 }
 
@@ -32,15 +34,22 @@ NodeId FormulaParser::conjunction() {
     std::vector<NodeId> all{negation()};
     while (accept_connective("and") || accept("&&") || accept('&') || accept("∧"))
         all.push_back(negation());
+    if (!is_enclosed_ && all.size() > 1) joins_conditions_ = true;
     return are_all(graph_, all);
 }
 
 NodeId FormulaParser::negation() {
     skip_space();
-    const bool is_not = !rest().starts_with("!=") && (accept('!') || accept("¬"));
-    if (!is_not && !accept_connective("not")) return comparison();
+    const std::size_t place = at_;
+    const bool is_sign = !rest().starts_with("!=") && (accept('!') || accept("¬"));
+    if (!is_sign && !accept_connective("not")) return comparison();
     const Depth depth(*this);
-    return choose(graph_, negation(), graph_.constant(0), graph_.constant(1));
+    skip_space();
+    const bool is_again = peek() == '!' || rest().starts_with("¬");
+    const NodeId of = is_sign && !is_again ? expression() : negation();
+    if (is_sign && TextCursor(*this).accept_comparison(is_enclosed_))
+        fail(place, "this may be two things: write !(a < b), or (!a) < b");
+    return choose(graph_, of, graph_.constant(0), graph_.constant(1));
 }
 
 NodeId FormulaParser::comparison() {
@@ -118,12 +127,12 @@ NodeId FormulaParser::term() {
             is_quotient = true;
         } else if (begins_factor(left)) {
             // 9/4 x is no more than one thing, 1/2x may be.
-            const bool is_fraction = graph_.is_constant(left) &&
-                                     std::isspace(static_cast<unsigned char>(text_[place - 1]));
-            if (is_quotient && !is_fraction) {
+            const char before = text_[place - 1];
+            const bool has_blank = !is_name_part(before) && before != ')' && before != '.';
+            if (is_quotient && !(has_blank && graph_.is_constant(left)))
                 fail(place, "expected an operator after a quotient: write a/(b*c), or (a/b)*c");
-            }
             left = checked(graph_.multiply(left, power()), place, out_of_range);
+            is_quotient = false;
         } else {
             return left;
         }
@@ -134,7 +143,8 @@ bool FormulaParser::begins_factor(NodeId left) {
     if (begins_word())
         return !is_connective(peek_name()) && !TextCursor(*this).accept_comparison(false);
     const bool joins_conditions =
-        rest().starts_with("||") && (is_compared_ || is_condition(graph_, left));
+        rest().starts_with("||") &&
+        (is_compared_ || (is_choice(graph_[left]) && is_condition(graph_, left)));
     if (peek() == '|') return open_bars_ == 0 && !joins_conditions;
     return peek() == '(' || rest().starts_with("π") || rest().starts_with("√") ||
            rest().starts_with("∛");
@@ -160,6 +170,13 @@ NodeId FormulaParser::power() {
     return value;
 }
 
+template<class Read> NodeId FormulaParser::bound_tightly(const Read& read) {
+    const bool outside = std::exchange(is_tight_, true);
+    const NodeId value = read();
+    is_tight_ = outside;
+    return value;
+}
+
 NodeId FormulaParser::raised(NodeId base) {
     const std::size_t place_of_raised = at_;
     if (const auto exponent = accept_raised_number())
@@ -169,7 +186,7 @@ NodeId FormulaParser::raised(NodeId base) {
     const std::size_t place = at_;
     if (!accept_power()) return base;
     skip_space();
-    if (!accept('{')) return raise(base, factor(), place);
+    if (!accept('{')) return raise(base, bound_tightly([&] { return factor(); }), place);
     const NodeId exponent = inside('}', "to close the exponent");
     return raise(base, exponent, place);
 }
@@ -213,8 +230,8 @@ NodeId FormulaParser::primary() {
     if (const auto closing = accept_opening()) return inside(*closing, "to close the parenthesis");
     if (accept('|')) return absolute_value();
     if (accept("π")) return graph_.constant(std::numbers::pi);
-    if (accept("√")) return root_of(2, primary(), begin);
-    if (accept("∛")) return root_of(3, primary(), begin);
+    if (accept("√")) return root_sign(2, begin);
+    if (accept("∛")) return root_sign(3, begin);
     if (const auto fraction = accept_fraction()) return graph_.constant(*fraction);
     if (std::isdigit(static_cast<unsigned char>(peek())) || peek() == '.') return number();
     if (peek() == ')') fail(at_, "expected a value before ')'");
@@ -245,6 +262,11 @@ NodeId FormulaParser::root(std::size_t begin) {
     return root_of(int(degree), in_braces("\\sqrt"), begin);
 }
 
+NodeId FormulaParser::root_sign(int degree, std::size_t begin) {
+    const Depth depth(*this);
+    return root_of(degree, bound_tightly([&] { return primary(); }), begin);
+}
+
 NodeId FormulaParser::root_of(int degree, NodeId of, std::size_t place) {
     const Function* function = find_function(degree == 2 ? "sqrt" : "cbrt");
     return checked(function->call(graph_, std::array{of}), place,
@@ -270,10 +292,14 @@ NodeId FormulaParser::name_or_call(std::string_view word, std::size_t begin) {
         return raise(call(plain, begin, ')'), graph_.constant(*exponent), begin);
     }
     skip_space();
+    if (plain == "if" && begins_condition()) return if_then_else(begin);
     if (const auto closing = accept_opening()) return call(plain, begin, *closing);
-    if (plain == "if") return if_then_else(begin);
     if (const auto value = function_at_the_point(word, begin)) return *value;
     if (is_known || find_function(plain_name(plain))) fail_without_parentheses(plain, begin);
+    if (begin > 0 && text_[begin - 1] == '\\')
+        fail(begin - 1,
+             fmt::format("'\\{}' is not read; fractions are \\frac{{a}}{{b}}, roots \\sqrt{{a}}",
+                         word));
     fail_unknown(word, begin);
 }
 
@@ -283,6 +309,10 @@ std::optional<NodeId> FormulaParser::first_of_product(std::string_view word, std
         return is_single && std::ranges::count(coordinate_names, std::string_view(&c, 1)) > 0;
     };
     if (word.size() < 2 || !std::ranges::all_of(word, is_coordinate)) return std::nullopt;
+    if (is_tight_) {
+        fail(begin, fmt::format("it is not plain how much of '{}' is meant: write ({})", word,
+                                fmt::join(word, "*")));
+    }
     const std::optional<NodeId> first = named(word.substr(0, 1)); // none in rules of animation
     if (first) at_ = begin + 1;
     return first;
@@ -310,13 +340,26 @@ std::optional<int> FormulaParser::exponent_of_function(std::string_view name, st
     return exponent;
 }
 
+// Whether no call's arguments stand behind `if`: if x > 0 then, if (x > 0) then.
+bool FormulaParser::begins_condition() const {
+    const Group group = group_ahead();
+    if (group.parts == 0) return true;
+    TextCursor behind(text_, group.end);
+    behind.skip_space();
+    return group.parts == 1 && behind.peek_name() == "then";
+}
+
 NodeId FormulaParser::if_then_else(std::size_t begin) {
     const auto accept_keyword = [&](std::string_view word) {
         skip_space();
         return peek_name() == word && accept(word);
     };
     const Depth depth(*this);
-    const NodeId condition = disjunction();
+    const auto read_condition = [&] {
+        const Enclosed enclosed(*this, closing_);
+        return disjunction();
+    };
+    const NodeId condition = read_condition();
     if (!accept_keyword("then")) fail_without_parentheses("if", begin);
     const NodeId then = value();
     if (!accept_keyword("else")) fail(at_, "expected 'else' and the other value of the choice");
@@ -325,12 +368,15 @@ NodeId FormulaParser::if_then_else(std::size_t begin) {
 
 NodeId FormulaParser::number() {
     double value = 0;
+    const std::size_t begin = at_;
     const char* first = text_.data() + at_;
     const auto [end, error] = std::from_chars(first, text_.data() + text_.size(), value);
     if (error == std::errc::result_out_of_range) fail(at_, "this number is out of range");
     if (error != std::errc{}) fail(at_, "this is not a number");
     at_ += std::size_t(end - first);
-    if (peek_name() == "f" && !named("f") && !own().find("f")) ++at_; // a number of a shader: 1.5f
+    // A number of a shader, 1.5f.
+    const bool has_point = text_.substr(begin, at_ - begin).find('.') != text_.npos;
+    if (has_point && peek_name() == "f" && !named("f") && !own().find("f")) ++at_;
     if (peek_name() == "e")
         fail(at_, "the exponent of a number has no digits; write 2*e for a "
                   "product");

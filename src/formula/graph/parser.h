@@ -19,8 +19,8 @@
 // greatest(array, expression) the array's fields are names; least(array, expression, value) is the
 // value of the element whose expression is least. Constants: pi, and e and tau where these names
 // have no other meaning. `name = expression;` names a repeated part, `name(u, v) = expression;` a
-// function, which must not call itself. An argument or a named part f can be taken at another point:
-// f(u, v, w).
+// function, which must not call itself. An argument or a named part f can be taken at another
+// point: f(u, v, w).
 #pragma once
 
 #include <string>

@@ -23,14 +23,14 @@ constexpr std::array others{
     Pair{"fabs", "abs"},      Pair{"fmin", "min"},      Pair{"fmax", "max"},
     Pair{"minimum", "min"},   Pair{"maximum", "max"},   Pair{"where", "if"},
     Pair{"iif", "if"},        Pair{"ifelse", "if"},     Pair{"lerp", "mix"},
-    Pair{"frac", "fract"},    Pair{"norm", "length"},   Pair{"log_2", "log2"},
-    Pair{"log_10", "log10"},
+    Pair{"norm", "length"},   Pair{"log_2", "log2"},    Pair{"log_10", "log10"},
 };
 
 constexpr std::array advice{
     Pair{"piecewise", "write if(condition, a, b)"},
     Pair{"cases", "write if(condition, a, b)"},
     Pair{"sqr", "write a^2 for a square, sqrt(a) for a root"},
+    Pair{"frac", "write fract(a) for a - floor(a), or a - trunc(a)"},
     Pair{"lg", "write log10(a), or log2(a)"},
     Pair{"fmod", "write mod(a, b), whose value has the sign of b"},
     Pair{"int", "write floor(a), or trunc(a)"},
@@ -39,7 +39,7 @@ constexpr std::array advice{
     Pair{"csch", "write 1/sinh(a)"},
     Pair{"coth", "write 1/tanh(a)"},
     Pair{"arg", "write atan2(y, x) for the angle of the point (x, y)"},
-    Pair{"t", "time moves parameters: name one here, as T, and write T = \"t\" under [parameters]"},
+    Pair{"t", "write t for the time"},
     Pair{"theta", "write atan2(y, x) for an angle about the z axis"},
     Pair{
         "phi",

@@ -82,7 +82,8 @@ std::optional<Comparison> TextCursor::accept_comparison(bool enclosed) {
         return Comparison::at_most;
     if (accept(">=") || accept("≥") || accept_command("\\ge") || accept_command("\\geq"))
         return Comparison::at_least;
-    if (accept("!=") || accept("≠") || accept_command("\\ne") || accept_command("\\neq"))
+    if (enclosed &&
+        (accept("!=") || accept("≠") || accept_command("\\ne") || accept_command("\\neq")))
         return Comparison::other;
     if (enclosed && accept("==")) return Comparison::same;
     if (accept('<') || accept_command("\\lt")) return Comparison::less;
@@ -96,15 +97,16 @@ std::optional<char> TextCursor::accept_opening() {
     return std::nullopt;
 }
 
-int TextCursor::parts_ahead() const {
-    if (peek() != '(' && peek() != '[') return 0;
+TextCursor::Group TextCursor::group_ahead() const {
+    if (peek() != '(' && peek() != '[') return {};
     int depth = 0, parts = 1;
-    for (const char c : rest()) {
+    for (std::size_t at = at_; at < text_.size(); ++at) {
+        const char c = text_[at];
         if (c == '(' || c == '[') ++depth;
         if (c == ',' && depth == 1) ++parts;
-        if ((c == ')' || c == ']') && --depth == 0) return parts;
+        if ((c == ')' || c == ']') && --depth == 0) return {parts, at + 1};
     }
-    return 0;
+    return {};
 }
 
 } // namespace isomotion::formula

@@ -55,15 +55,19 @@ public:
     std::optional<int> accept_raised_number();
     // A character that is a fraction, as ½.
     std::optional<double> accept_fraction();
-    // `enclosed`: within parentheses, where == compares. Elsewhere it makes an equation.
+    // `enclosed`: within parentheses, where == and != compare. Elsewhere == makes an equation.
     std::optional<Comparison> accept_comparison(bool enclosed);
     bool accept_equals() { return accept("==") || accept('='); }
     // What opens a list of arguments or a part of a formula: the character that closes it.
     std::optional<char> accept_opening();
 
-    // How many parts, with commas between them, stand within the parentheses that begin here; 0
-    // where none do.
-    int parts_ahead() const;
+    // What stands in the parentheses that begin here: how many parts, with commas between them, and
+    // the place behind it. No parts where none begin.
+    struct Group {
+        int parts = 0;
+        std::size_t end = 0;
+    };
+    Group group_ahead() const;
 
 protected:
     std::string_view name_at(std::size_t at) const;

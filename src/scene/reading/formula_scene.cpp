@@ -8,46 +8,12 @@
 #include <vector>
 
 #include "base/printable.h"
+#include "formula/graph/spelling.h"
 #include "formula/graph/vocabulary.h"
+#include "scene/reading/formula_words.h"
 
 namespace isomotion::scene {
 namespace {
-
-struct Word {
-    std::size_t at = 0;
-    std::string_view text;
-};
-
-// The names in a formula: 2t is 2 times t, and 2e3 a number.
-std::vector<Word> words_of(std::string_view formula) {
-    const auto is_digit = [&](std::size_t k) {
-        return k < formula.size() && std::isdigit(static_cast<unsigned char>(formula[k]));
-    };
-    const auto is_letter = [&](std::size_t k) {
-        return k < formula.size() &&
-               (std::isalpha(static_cast<unsigned char>(formula[k])) || formula[k] == '_');
-    };
-    std::vector<Word> words;
-    for (std::size_t k = 0; k < formula.size();) {
-        if (is_letter(k)) {
-            std::size_t end = k;
-            while (is_letter(end) || is_digit(end)) ++end;
-            words.push_back({k, formula.substr(k, end - k)});
-            k = end;
-            continue;
-        }
-        const bool is_number = is_digit(k);
-        ++k;
-        if (!is_number) continue;
-        while (is_digit(k) || (k < formula.size() && formula[k] == '.')) ++k;
-        if (k >= formula.size() || (formula[k] != 'e' && formula[k] != 'E')) continue;
-        const bool is_signed =
-            k + 1 < formula.size() && (formula[k + 1] == '+' || formula[k + 1] == '-');
-        if (is_digit(k + 1 + std::size_t(is_signed))) k += 2;
-        while (is_digit(k)) ++k;
-    }
-    return words;
-}
 
 // The title of a window and a page; for a long formula, its beginning.
 std::string title_of(std::string_view formula) {
@@ -73,18 +39,22 @@ std::string title_of(std::string_view formula) {
 // Whether something without an operator is still a formula: "2x", "x y z", "sin x", "3", "x - y".
 // Files and animations have names of other words.
 bool is_made_of_known_words(std::string_view name) {
-    constexpr std::string_view signs = " .-/,{}²³·−";
+    constexpr std::string_view signs = " .-/,{}[];²³·−½¼¾";
     const bool is_plain = std::ranges::all_of(name, [&](unsigned char c) {
         return std::isalnum(c) || c == '_' || signs.find(char(c)) != signs.npos;
     });
     const bool has_digit =
         std::ranges::any_of(name, [](unsigned char c) { return std::isdigit(c); });
     const auto is_coordinate = [](std::string_view word) {
-        return std::ranges::count(formula::coordinate_names, word) > 0;
+        const std::string plain = formula::plain_spelling(word);
+        return std::ranges::all_of(plain, [](const char& c) {
+            return std::ranges::count(formula::coordinate_names, std::string_view(&c, 1)) > 0;
+        });
     };
     const std::vector<Word> words = words_of(name);
     const bool are_known = std::ranges::all_of(words, [&](const Word& word) {
-        return word.text.size() == 1 || formula::is_reserved(word.text);
+        return word.text.size() == 1 || formula::is_reserved(formula::plain_spelling(word.text)) ||
+               is_coordinate(word.text);
     });
     const bool has_place = std::ranges::any_of(words, is_coordinate, &Word::text);
     return is_plain && are_known && (has_place || (words.empty() && has_digit));
@@ -97,10 +67,6 @@ bool moves_something(std::string_view setting) {
 }
 
 } // namespace
-
-bool names_time(std::string_view expression) {
-    return std::ranges::count(words_of(expression), "t", &Word::text) > 0;
-}
 
 bool is_formula(const std::string& name) {
     const auto extension = std::filesystem::path(name).extension();

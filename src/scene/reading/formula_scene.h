@@ -3,7 +3,6 @@
 
 #include <span>
 #include <string>
-#include <string_view>
 
 #include <toml++/toml.h>
 
@@ -11,9 +10,6 @@ namespace isomotion::scene {
 
 // Whether the argument that names a scene looks like a formula rather than a file or an animation.
 bool is_formula(const std::string& name);
-
-// Whether a formula or an expression names t, the time.
-bool names_time(std::string_view expression);
 
 // The document of a formula's scene. If the formula or a setting (load.h) names t, the scene moves
 // for 120 frames.

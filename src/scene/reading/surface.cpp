@@ -13,7 +13,7 @@
 #include "scene/key_tables.h"
 #include "scene/limits.h"
 #include "scene/reading/arrays.h"
-#include "scene/reading/formula_scene.h"
+#include "scene/reading/formula_words.h"
 #include "scene/reading/names.h"
 #include "scene/reading/read_keys.h"
 

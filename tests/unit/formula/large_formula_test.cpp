@@ -104,6 +104,8 @@ TEST(Limits, Nesting) {
     };
     EXPECT_EQ(refused(in_parentheses(limits::nesting / 2 - 1)), "parsed");
     EXPECT_EQ(refused(in_parentheses(limits::nesting / 2)), "the formula is nested too deeply");
+    EXPECT_EQ(refused(repeat("√", 100'000) + "x"), "the formula is nested too deeply");
+    EXPECT_EQ(refused(repeat("\\frac{", 50'000) + "x"), "the formula is nested too deeply");
     EXPECT_EQ(refused(repeat("-", limits::nesting - 2) + "x"), "parsed");
     EXPECT_EQ(refused(repeat("-", limits::nesting - 1) + "x"), "the formula is nested too deeply");
 }

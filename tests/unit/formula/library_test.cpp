@@ -38,10 +38,25 @@ TEST(Library, MovesSpace) {
     expect_same("scale(x^2 + y, 2)", "2*((x/2)^2 + y/2)");
     expect_same("twist(x, 3)", "x*cos(3*z) + y*sin(3*z)");
     expect_same("mirror(translate(sphere(1), 2, 0, 0))", "length(abs(x) - 2, y, z) - 1");
-    // A turn of the x axis to the y axis, of y to z, and of z to x.
-    expect_same("rotate_z(x, pi/2) + z", "x*cos(pi/2) + y*sin(pi/2) + z");
-    expect_same("rotate_x(y, a) + z", "y*cos(a) + z*sin(a) + z");
-    expect_same("rotate_y(z, a) + y", "z*cos(a) + x*sin(a) + y");
+}
+
+// As a formula is that is one.
+TEST(Library, TakesConditionsForSolids) {
+    EXPECT_EQ(value_of("union(x < 1, 5) + 0", {-2, 0, 0}), -3);
+    EXPECT_EQ(value_of("difference(sphere(3), x > 0 and y > 0) + 0", {1, 2, 0}), 1);
+    EXPECT_EQ(value_of("scale(x < 1, 2) + 0", {6, 0, 0}), 4);
+}
+
+// The ball goes where the axes turn to, x to y, y to z and z to x.
+TEST(Library, TurnsAnticlockwise) {
+    const std::string ball = "translate(sphere(1), 2, 0, 0)", up = "translate(sphere(1), 0, 0, 2)";
+    EXPECT_NEAR(value_of("rotate_z(" + ball + ", pi/2)", {0, 2, 0}), -1, 1e-12);
+    EXPECT_NEAR(value_of("rotate(" + ball + ", pi/2)", {0, 2, 0}), -1, 1e-12);
+    EXPECT_NEAR(value_of("rotate_x(translate(sphere(1), 0, 2, 0), pi/2)", {0, 0, 2}), -1, 1e-12);
+    EXPECT_NEAR(value_of("rotate_y(" + up + ", pi/2)", {2, 0, 0}), -1, 1e-12);
+    // A twist by k turns what is at the height z by k z, and a bend what is at x by k x.
+    EXPECT_NEAR(value_of("twist(" + ball + ", pi/6)", {0, 2, 3}), std::hypot(0, 3) - 1, 1e-12);
+    EXPECT_NEAR(value_of("bend(translate(sphere(1), 0, -2, 0), pi/4)", {2, 0, 0}), -1, 1e-12);
 }
 
 // Distances of points from solids, by geometry.
@@ -99,8 +114,37 @@ TEST(AtAnotherPoint, DoublingEnds) {
     std::string text = "f0(g) = g(x + y, y*z, z) + g(y, x*x, z);";
     for (int k = 1; k < 40; ++k)
         text += fmt::format("f{0}(g) = f{1}(g(x + z, y, {0}*x)) + f{1}(g(z, x, y*{0}));", k, k - 1);
-    EXPECT_THAT(mistake_in(text + "f39(sin(x*y) + z)"),
-                testing::AnyOf(testing::HasSubstr("too"), testing::HasSubstr("more than")));
+    EXPECT_THAT(mistake_in(text + "f39(sin(x*y) + z)"), testing::HasSubstr("the formula"));
+}
+
+// What a call looks at counts, though equal parts make no new ones.
+TEST(AtAnotherPoint, WorkEnds) {
+    std::string moved = "f(g) = 0", filler = "q = x", calls = "0";
+    for (int k = 0; k < 1000; ++k) moved += fmt::format(" + g(x + {}, y, z)", k);
+    for (int k = 0; k < 3000; ++k) filler += fmt::format(" + sin({}*x)", k);
+    for (int k = 0; k < 300; ++k) calls += " + f(u)";
+    EXPECT_THAT(mistake_in(moved + ";" + filler + "; u = x*y;" + calls),
+                testing::HasSubstr("calls large functions too often"));
+}
+
+// The loop's own element must not be taken for the point's.
+TEST(AtAnotherPoint, FieldsMoveNoLoopOverTheirArray) {
+    const std::string part = "b = sum(blobs, (x - cx)^2);";
+    EXPECT_THAT(mistake_in(part + "sum(blobs, b(cx, y, z) + cy)"),
+                testing::HasSubstr("is moved by the array's fields"));
+    EXPECT_THAT(mistake_in("f(g) = sum(blobs, g(cx, y, z) + cy); f(sum(blobs, (x - cx)^2))"),
+                testing::HasSubstr("is moved by the array's fields"));
+    expect_same(part + "sum(links, b(px, y, z))", "sum(links, sum(blobs, (px - cx)^2))");
+}
+
+// Rules of animation know the time and no place.
+TEST(Library, NeedsAPlace) {
+    Vocabulary vocabulary;
+    vocabulary.inputs = {"t", "i", "n"};
+    Graph graph;
+    EXPECT_THROW(parse("2 + sphere(1)", vocabulary, graph), ParseError);
+    EXPECT_THROW(parse("f(g) = twist(g, 2); f(t)", vocabulary, graph), ParseError);
+    EXPECT_EQ(parse("union(t, 3)", vocabulary, graph), parse("min(t, 3)", vocabulary, graph));
 }
 
 TEST(Library, IsInTheDocuments) {

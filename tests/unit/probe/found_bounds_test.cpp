@@ -59,6 +59,20 @@ TEST(FoundBoundsOf, WhatGoesOnIsABallThatIsSaid) {
     }
 }
 
+// Parts far from a first one belong to the surface; what goes on for ever is said.
+TEST(FoundBoundsOf, PartsBeyondAreSaid) {
+    const Scene two = load("min(length(x, y, z), length(x - 100, y, z)) = 1");
+    EXPECT_EQ(two.surfaces[0].found_bounds, std::optional(true));
+    EXPECT_GE(at_frame(two, 1).surfaces[0].bounds.radius, 51);
+    EXPECT_LE(at_frame(two, 1).surfaces[0].bounds.radius, 60);
+    const Scene plane = load("min(length(x, y, z) - 1, abs(x - 20))");
+    EXPECT_EQ(plane.surfaces[0].found_bounds, std::optional(false));
+    // A ball that is elsewhere after a second.
+    const Scene jumping = load("length(x - 100*floor(t), y, z) = 1");
+    const BoundsAt bounds = at_frame(jumping, 40).surfaces[0].bounds;
+    EXPECT_GE(bounds.radius, glm::length(bounds.centre - glm::dvec3(100, 0, 0)) + 1);
+}
+
 TEST(FoundBoundsOf, WhatMovesAreOfAllFrames) {
     const Scene scene = load("(x - 4*sin(t))^2 + y^2 + z^2 = 0.25");
     EXPECT_EQ(scene.timeline.frames, 120);

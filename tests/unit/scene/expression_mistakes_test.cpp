@@ -37,6 +37,8 @@ TEST_F(ExpressionMistakes, TheTimeInAFormulaIsNone) {
     const Scene scene = loaded(ball_with(6, "formula = \"x^2 + y^2 + z^2 - radius - 0.1*t\""));
     const auto at = [&](double t) { return scene.surfaces[0].animation.at(t).tracks; };
     EXPECT_EQ(std::ranges::count(at(1.25), 1.25), 1 + std::ranges::count(at(0.5), 1.25));
+    EXPECT_EQ(mistake(ball_with(6, "formula = \"t(u) = u^2; t(x) + t(y) + z^2 - radius\"")),
+              "nothing is wrong");
     EXPECT_EQ(mistake(ball_with(9, "radius = \"n*i\"\nn = 2\ni = 0.5")), "nothing is wrong");
     EXPECT_THAT(mistake(blobs("count = 2\nx = \"i\"\n[parameters]\nn = 2")),
                 testing::HasSubstr("'n' means the number of elements"));
