@@ -1,4 +1,4 @@
-// im_cbrt. Needs bits.glsl.
+// im_cbrt. Needs no other file.
 //
 // The root has the sign of x. Its largest error over all floats is 1.1 ulps. Subnormal numbers
 // count as 0.

@@ -27,7 +27,7 @@ const KernelTable& kernel_table() {
         {"math/log.glsl", {"log"}, {"math/bits.glsl"}},
         {"math/inverse_hyperbolic.glsl", {"asinh", "acosh"}, {"math/bits.glsl", "math/log.glsl"}},
         {"math/erf.glsl", {"erf"}, {"math/bits.glsl", "math/exp.glsl"}},
-        {"math/cbrt.glsl", {"cbrt"}, {"math/bits.glsl"}},
+        {"math/cbrt.glsl", {"cbrt"}, {}},
         {"math/pow.glsl", {"pow"}, {"math/bits.glsl", "math/exp.glsl", "math/log.glsl"}},
         {"math/trig.glsl", {"sin", "cos", "tan"}, {"math/bits.glsl", "math/divide.glsl"}},
         {"math/inverse_trig.glsl", {"asin", "acos", "atan", "atan2", "angle"}, {"math/bits.glsl"}},
