@@ -9,6 +9,8 @@
 #include "base/nearest_name.h"
 #include "formula/graph/vocabulary.h"
 #include "scene/limits.h"
+#include "scene/reading/pov_colors.h"
+#include "scene/reading/pov_functions.h"
 #include "scene/reading/toml_lines.h"
 
 namespace isomotion::scene {
@@ -17,13 +19,57 @@ namespace {
 using Strength = PovNumber::Strength;
 
 constexpr int deepest = 60; // parentheses and calls in one another
-constexpr std::size_t longest_text = 500'000;
 
 std::string held(const PovNumber& number, Strength least) {
     return number.strength < least ? fmt::format("({})", number.text) : number.text;
 }
 
-// Plain numbers are computed here, others are left to the formula.
+// Part by part; a single number goes with every part.
+PovValue joined(const PovValue& a, char sign, const PovValue& b) {
+    PovValue all;
+    const std::size_t size = std::max(a.size(), b.size());
+    for (std::size_t k = 0; k < size; ++k) {
+        if ((k >= a.size() && a.size() > 1) || (k >= b.size() && b.size() > 1)) break;
+        all.push_back(joined(a.size() > 1 ? a[k] : a[0], sign, b.size() > 1 ? b[k] : b[0]));
+    }
+    return all;
+}
+
+// Whether formulas have the name already: a number declared by it stays a number.
+bool is_taken(const std::string& name) {
+    return !formula::is_identifier(name) || name.size() > limits::name_bytes ||
+           formula::is_reserved(name) || is_pov_word_of_formulas(name) || name == "t" ||
+           name == "i" || name == "n" || name == "clock";
+}
+
+PovNumber word_of(const char* text) { return {text, Strength::atom, std::nullopt}; }
+
+// Where a comma was left out, as POV-Ray allows.
+bool is_value_ahead(const PovWord& word) {
+    return word.kind == PovWord::Kind::number || word.kind == PovWord::Kind::name || word.is("(");
+}
+
+// Counts what is being read within what.
+class Depth {
+public:
+    Depth(int& depth, const PovCursor& at, const std::string& for_what)
+        : depth_(depth) {
+        if (++depth_ > deepest) {
+            --depth_;
+            at.fail(for_what,
+                    fmt::format("more than {} parentheses and calls in one another", deepest));
+        }
+    }
+    ~Depth() { --depth_; }
+    Depth(const Depth&) = delete;
+    Depth& operator=(const Depth&) = delete;
+
+private:
+    int& depth_;
+};
+
+} // namespace
+
 PovNumber joined(const PovNumber& a, char sign, const PovNumber& b) {
     std::optional<double> value;
     if (a.value && b.value) {
@@ -64,121 +110,6 @@ PovNumber joined(const PovNumber& a, char sign, const PovNumber& b) {
     return {held(a, left) + between + held(b, right), own, value};
 }
 
-// Part by part; a single number goes with every part.
-PovValue joined(const PovValue& a, char sign, const PovValue& b) {
-    PovValue all;
-    const std::size_t size = std::max(a.size(), b.size());
-    for (std::size_t k = 0; k < size; ++k) {
-        if ((k >= a.size() && a.size() > 1) || (k >= b.size() && b.size() > 1)) break;
-        all.push_back(joined(a.size() > 1 ? a[k] : a[0], sign, b.size() > 1 ? b[k] : b[0]));
-    }
-    return all;
-}
-
-struct Known {
-    const char* name;
-    std::size_t arguments;
-    const char* text; // with {0}, {1}; of one argument of the same name, as it is
-    double (*value)(double);
-};
-
-constexpr Known known_functions[] = {
-    {"abs", 1, "abs({0})", std::fabs},
-    {"acos", 1, "acos({0})", std::acos},
-    {"acosh", 1, "acosh({0})", std::acosh},
-    {"asin", 1, "asin({0})", std::asin},
-    {"asinh", 1, "asinh({0})", std::asinh},
-    {"atan", 1, "atan({0})", std::atan},
-    {"atan2", 2, "atan2({0}, {1})", nullptr},
-    {"ceil", 1, "(-floor(-({0})))", std::ceil},
-    {"cos", 1, "cos({0})", std::cos},
-    {"cosh", 1, "cosh({0})", std::cosh},
-    {"degrees", 1, "(({0})*180/pi)", [](double a) { return a * 180 / std::numbers::pi; }},
-    {"exp", 1, "exp({0})", std::exp},
-    {"floor", 1, "floor({0})", std::floor},
-    {"ln", 1, "log({0})", std::log},
-    {"log", 1, "(log({0})/log(10))", std::log10},
-    {"pow", 2, "({0})^({1})", nullptr},
-    {"radians", 1, "(({0})*pi/180)", [](double a) { return a * std::numbers::pi / 180; }},
-    {"sin", 1, "sin({0})", std::sin},
-    {"sinh", 1, "sinh({0})", std::sinh},
-    {"sqr", 1, "({0})^2", [](double a) { return a * a; }},
-    {"sqrt", 1, "sqrt({0})", std::sqrt},
-    {"tan", 1, "tan({0})", std::tan},
-    {"tanh", 1, "tanh({0})", std::tanh},
-    // functions.inc has these; its y is our z.
-    {"f_sphere", 4, "(sqrt(({0})^2 + ({1})^2 + ({2})^2) - ({3}))", nullptr},
-    {"f_torus", 5, "(sqrt((sqrt(({0})^2 + ({2})^2) - ({3}))^2 + ({1})^2) - ({4}))", nullptr},
-};
-
-const Known* known_function(std::string_view name) {
-    const auto found = std::ranges::find(known_functions, name, &Known::name);
-    return found == std::end(known_functions) ? nullptr : found;
-}
-
-struct NamedColor {
-    const char* name;
-    double red, green, blue;
-};
-
-// colors.inc has these.
-constexpr NamedColor colors[] = {
-    {"White", 1, 1, 1},
-    {"Black", 0, 0, 0},
-    {"Red", 1, 0, 0},
-    {"Green", 0, 1, 0},
-    {"Blue", 0, 0, 1},
-    {"Yellow", 1, 1, 0},
-    {"Cyan", 0, 1, 1},
-    {"Magenta", 1, 0, 1},
-    {"Orange", 1, 0.5, 0},
-    {"Gold", 0.8, 0.498039, 0.196078},
-    {"Silver", 0.90, 0.91, 0.98},
-    {"Gray", 0.752941, 0.752941, 0.752941},
-    {"Grey", 0.752941, 0.752941, 0.752941},
-    {"Gray50", 0.5, 0.5, 0.5},
-};
-
-const NamedColor* named_color(std::string_view name) {
-    const auto found = std::ranges::find(colors, name, &NamedColor::name);
-    return found == std::end(colors) ? nullptr : found;
-}
-
-bool is_color_word(std::string_view word) {
-    return word == "rgb" || word == "rgbf" || word == "rgbt" || word == "rgbft" ||
-           word == "color" || word == "colour" || word == "srgb";
-}
-
-// Whether formulas have the name already: a number declared by it stays a number.
-bool is_taken(const std::string& name) {
-    return !formula::is_identifier(name) || name.size() > limits::name_bytes ||
-           formula::is_reserved(name) || name == "t" || name == "i" || name == "n" ||
-           name == "clock";
-}
-
-PovNumber word_of(const char* text) { return {text, Strength::atom, std::nullopt}; }
-
-// Counts what is being read within what.
-class Depth {
-public:
-    Depth(int& depth, const PovCursor& at, const std::string& for_what)
-        : depth_(depth) {
-        if (++depth_ > deepest) {
-            --depth_;
-            at.fail(for_what,
-                    fmt::format("more than {} parentheses and calls in one another", deepest));
-        }
-    }
-    ~Depth() { --depth_; }
-    Depth(const Depth&) = delete;
-    Depth& operator=(const Depth&) = delete;
-
-private:
-    int& depth_;
-};
-
-} // namespace
-
 PovNumber PovNumber::of(double value) {
     // A sign would bind less than what comes before it.
     return {fmt::format("{}", value), value < 0 ? Strength::sum : Strength::atom, value};
@@ -195,7 +126,7 @@ std::optional<double> PovNumber::plain() const {
 }
 
 bool PovValues::is_color(const PovWord& word) const {
-    return is_color_word(word.text) || named_color(word.text) || word.is("<") ||
+    return is_pov_color_word(word.text) || pov_color(word.text) || word.is("<") ||
            (word.kind == PovWord::Kind::name && values_.contains(word.text));
 }
 
@@ -208,9 +139,8 @@ bool PovValues::declare(const std::string& name, PovCursor& at) {
     }
     const PovWord& word = at.now();
     const bool is_value = word.kind == PovWord::Kind::number || word.kind == PovWord::Kind::sign ||
-                          is_color(word) || known_function(word.text) || word.is("pi") ||
-                          word.is("clock") || word.is("x") || word.is("y") || word.is("z") ||
-                          word.is("min") || word.is("max");
+                          is_color(word) || is_pov_function(word.text) || word.is("pi") ||
+                          word.is("clock") || word.is("x") || word.is("y") || word.is("z");
     if (!is_value) return false;
     PovValue declared = value(at, "#declare " + name);
     at.take_if(";");
@@ -293,7 +223,7 @@ PovNumber PovValues::function(PovCursor& at) {
 }
 
 void PovValues::expect_short(const PovValue& value, const PovCursor& at) const {
-    if (value[0].text.size() > longest_text) at.fail(for_what_, "is too long a formula");
+    if (value[0].text.size() > longest_pov_text) at.fail(for_what_, "is too long a formula");
 }
 
 PovValue PovValues::sum(PovCursor& at) {
@@ -346,7 +276,7 @@ PovValue PovValues::list(PovCursor& at) {
         PovValue one = sum(at);
         if (one.size() != 1) at.fail(for_what_, "must have numbers as the parts of a vector");
         all.push_back(one[0]);
-    } while (at.take_if(","));
+    } while (at.take_if(",") || (!at.now().is(">") && is_value_ahead(at.now())));
     at.expect(">", for_what_);
     return all;
 }
@@ -377,18 +307,34 @@ PovValue PovValues::part(PovCursor& at) {
     return read;
 }
 
+// After "color" or on their own: red 1 green 0.5, each part that is left out 0; or rgb <...>.
+PovValue PovValues::color(PovCursor& at) {
+    const std::string name = at.now().text;
+    if (pov_color_part(name) >= 0) {
+        PovValue parts(5, PovNumber::of(0));
+        for (int part = 0; (part = pov_color_part(at.now().text)) >= 0;) {
+            at.take();
+            const PovValue one = sum(at);
+            if (one.size() != 1) at.fail(for_what_, "needs one number as a part of a colour");
+            parts[std::size_t(part)] = one[0];
+        }
+        return parts;
+    }
+    at.take();
+    const bool is_any = name == "color" || name == "colour";
+    PovValue read = is_any ? signed_value(at) : part(at);
+    // One number stands for all parts.
+    if (read.size() == 1) read.resize(is_any || name == "rgb" || name == "srgb" ? 3 : 4, read[0]);
+    if (name != "srgb") return read;
+    const auto still = read.size() < 3 ? std::nullopt : still_vector(read);
+    if (!still) at.fail("srgb", "needs three numbers that do not move");
+    const glm::dvec3 linear = to_linear(*still);
+    return {PovNumber::of(linear.x), PovNumber::of(linear.y), PovNumber::of(linear.z)};
+}
+
 PovValue PovValues::named(PovCursor& at) {
     const std::string name = at.now().text;
-    if (is_color_word(name)) {
-        at.take();
-        PovValue read = name == "color" || name == "colour" ? signed_value(at) : part(at);
-        if (read.size() == 1) read.resize(3, read[0]);
-        if (name != "srgb") return read;
-        const auto still = read.size() < 3 ? std::nullopt : still_vector(read);
-        if (!still) at.fail("srgb", "needs three numbers that do not move");
-        const glm::dvec3 linear = to_linear(*still);
-        return {PovNumber::of(linear.x), PovNumber::of(linear.y), PovNumber::of(linear.z)};
-    }
+    if (!arguments_ && is_pov_color_word(name)) return color(at);
     if (arguments_) {
         if (const auto found = arguments_->find(name); found != arguments_->end()) {
             at.take();
@@ -411,8 +357,12 @@ PovValue PovValues::named(PovCursor& at) {
     if (name == "off" || name == "no" || name == "false") return {zero};
     if (name == "image_width") return {PovNumber::of(640)};
     if (name == "image_height") return {PovNumber::of(480)};
-    if (const NamedColor* color = named_color(name))
-        return {PovNumber::of(color->red), PovNumber::of(color->green), PovNumber::of(color->blue)};
+    if (const auto color = pov_color(name)) {
+        PovValue parts;
+        for (const double part : *color) parts.push_back(PovNumber::of(part));
+        if ((*color)[3] == 0) parts.pop_back();
+        return parts;
+    }
     std::vector<std::string> names;
     for (const auto& [declared, value] : values_) names.push_back(declared);
     const std::string near = base::nearest_name(name, names);
@@ -421,16 +371,9 @@ PovValue PovValues::named(PovCursor& at) {
                                                   name, near));
 }
 
-std::vector<PovNumber> PovValues::call(PovCursor& at, const std::string& name) {
-    const Known* known = known_function(name);
-    const bool takes_any = name == "min" || name == "max";
-    if (!known && !takes_any) {
-        std::string words = "min, max";
-        for (const Known& one : known_functions) words += fmt::format(", {}", one.name);
-        at.fail(for_what_, fmt::format("the function {} is not read; read are {}, and those that "
-                                       "the file declares",
-                                       name, words));
-    }
+PovValue PovValues::call(PovCursor& at, const std::string& name) {
+    const std::string refusal = pov_function_refusal(name);
+    if (!refusal.empty()) at.fail(for_what_, refusal);
     at.take();
     at.take();
     std::vector<PovNumber> arguments;
@@ -441,27 +384,12 @@ std::vector<PovNumber> PovValues::call(PovCursor& at, const std::string& name) {
         if (!at.take_if(",")) break;
     }
     at.expect(")", name);
-    if (takes_any && arguments.size() >= 2) {
-        std::vector<std::string> texts;
-        texts.reserve(arguments.size());
-        for (const PovNumber& argument : arguments) texts.push_back(argument.text);
-        return {{fmt::format("{}({})", name, fmt::join(texts, ", ")), Strength::atom, {}}};
-    }
-    if (takes_any || arguments.size() != known->arguments) {
-        at.fail(for_what_, fmt::format("{} takes {}, not {}", name,
-                                       takes_any ? "at least 2 numbers"
-                                                 : fmt::format("{} numbers", known->arguments),
+    const auto called = called_pov_function(name, arguments);
+    if (!called) {
+        at.fail(for_what_, fmt::format("{} takes {}, not {}", name, pov_function_arguments(name),
                                        arguments.size()));
     }
-    if (known->value && arguments[0].value) {
-        const double value = known->value(*arguments[0].value);
-        if (std::isfinite(value) && arguments[0].is_plain()) return {PovNumber::of(value)};
-    }
-    arguments.resize(5);
-    const Strength strength = name == "pow" || name == "sqr" ? Strength::power : Strength::atom;
-    return {{fmt::format(fmt::runtime(known->text), arguments[0].text, arguments[1].text,
-                         arguments[2].text, arguments[3].text, arguments[4].text),
-             strength, std::nullopt}};
+    return {*called};
 }
 
 PovNumber PovValues::call_declared(PovCursor& at, const std::string& name) {

@@ -26,6 +26,11 @@ struct PovNumber {
     bool is_plain() const { return plain().has_value(); }
 };
 
+inline constexpr std::size_t longest_pov_text = 500'000; // of a number or a formula
+
+// Plain numbers are computed, others are left to the formula. The sign is one of + - * / ^.
+PovNumber joined(const PovNumber& a, char sign, const PovNumber& b);
+
 // One number, or the parts of a vector or a colour.
 using PovValue = std::vector<PovNumber>;
 
@@ -70,8 +75,9 @@ private:
     PovValue power(PovCursor& at);
     PovValue part(PovCursor& at);
     PovValue named(PovCursor& at);
+    PovValue color(PovCursor& at);
     PovValue list(PovCursor& at);
-    std::vector<PovNumber> call(PovCursor& at, const std::string& name);
+    PovValue call(PovCursor& at, const std::string& name);
     PovNumber call_declared(PovCursor& at, const std::string& name);
     void expect_short(const PovValue& value, const PovCursor& at) const;
     void declare_function(const std::string& name, PovCursor& at);

@@ -153,7 +153,11 @@ void PovCursor::skip_group(std::string_view for_what) {
 }
 
 void PovCursor::fail(std::string_view key, std::string_view message) const {
-    throw SceneError(fmt::format("{}:{}: {}: {}", file_->string(), now().line + 1,
+    fail_in(now().line, key, message);
+}
+
+void PovCursor::fail_in(std::size_t line, std::string_view key, std::string_view message) const {
+    throw SceneError(fmt::format("{}:{}: {}: {}", file_->string(), line + 1,
                                  base::printable_line(std::string(key)),
                                  base::printable_line(std::string(message))));
 }

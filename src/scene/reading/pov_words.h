@@ -44,6 +44,9 @@ public:
     void go_to(std::size_t place) { at_ = place; }
 
     [[noreturn]] void fail(std::string_view key, std::string_view message) const;
+    // The same in another line, counted from 0.
+    [[noreturn]] void fail_in(std::size_t line, std::string_view key,
+                              std::string_view message) const;
 
 private:
     const std::vector<PovWord>* words_;
