@@ -5,27 +5,33 @@
 #include <map>
 #include <numbers>
 #include <optional>
-#include <span>
+#include <utility>
 #include <vector>
 
 #include <fmt/format.h>
 
 #include "scene/limits.h"
+#include "scene/reading/pov_formula.h"
+#include "scene/reading/pov_includes.h"
+#include "scene/reading/pov_look.h"
+#include "scene/reading/pov_moves.h"
+#include "scene/reading/pov_shapes.h"
+#include "scene/reading/pov_solids.h"
 #include "scene/reading/pov_transform.h"
 #include "scene/reading/pov_values.h"
 #include "scene/reading/pov_words.h"
 #include "scene/reading/toml_lines.h"
+#include "scene/surfaces.h"
 
 namespace isomotion::scene {
 namespace {
 
 using Vector = std::vector<PovNumber>;
 
-std::string value_text(const PovNumber& n) { return n.is_plain() ? n.text : toml_text(n.text); }
+constexpr std::size_t most_parts = 1000; // of unions of which each part is a surface
 
-std::string vector_text(const Vector& v) {
-    return fmt::format("[{}, {}, {}]", value_text(v[0]), value_text(v[1]), value_text(v[2]));
-}
+std::string value_text(const PovNumber& n) { return pov_value_text(n); }
+std::string vector_text(const Vector& v) { return pov_vector_text(v); }
 
 // From POV-Ray's axes to ours.
 Vector swapped(const Vector& v) { return {v[0], v[2], v[1]}; }
@@ -41,39 +47,29 @@ PovNumber plus(const PovNumber& a, const PovNumber& b) {
     return {fmt::format("({}) + ({})", a.text, b.text), PovNumber::Strength::sum, std::nullopt};
 }
 
-// How a surface looks, as far as that is read.
-struct Look {
-    std::optional<Vector> color;
-    double diffuse = 0.6, highlight = 0, shininess = 40;
-};
-
 class PovScene {
 public:
     PovScene(const std::vector<PovWord>& words, const std::filesystem::path& file)
         : at_(words, file)
+        , looks_(values_)
+        , solids_(values_, looks_, moves_)
         , lines_(words.back().line + 1)
         , last_line_(words.back().line) {}
 
     std::string toml() {
         while (!at_.at_end()) statement();
-        if (!has_surface_) {
-            at_.fail("isosurface", "is missing; a scene is one isosurface, poly, cubic, quartic or "
-                                   "quadric");
+        if (roots_.empty()) {
+            at_.fail("isosurface", fmt::format("is missing; a scene is one object or up to {}: {}",
+                                               most_surfaces, PovSolidReader::known_words()));
         }
+        put_surfaces();
         put_lights();
-        put_look();
         if (!has_background_) put(last_line_, "output.background", "[0, 0, 0]");
         put_parameters();
         return lines_.text();
     }
 
 private:
-    struct Bounds {
-        std::size_t line = 0;
-        std::string text;
-        bool is_hint = false;
-    };
-
     void put(std::size_t line, const std::string& key, const std::string& value) {
         lines_.put(line, key, value);
         said_ += value + "\n";
@@ -102,9 +98,7 @@ private:
             light();
         } else if (word.is("background")) {
             background();
-        } else if (word.is("plane")) {
-            ground();
-        } else {
+        } else if (!word.is("plane") || !ground()) {
             surface();
         }
     }
@@ -115,12 +109,13 @@ private:
         at_.expect("=", "#declare " + name);
         if (values_.declare(name, at_)) return;
         const PovWord word = at_.now();
-        objects_[name] = at_.place();
-        if (word.is("texture") || word.is("pigment") || word.is("finish") || word.is("material")) {
-            Look look;
-            read_look(look);
-            looks_[name] = look;
-        } else {
+        if (word.is("transform")) {
+            std::vector<PovMove> moves;
+            read_pov_move(at_, values_, moves_, moves);
+            moves_[name] = moves;
+        } else if (PovSolidReader::is_solid(word)) {
+            solids_.declare(name, at_);
+        } else if (!looks_.declare(name, at_)) {
             at_.take();
             if (!at_.now().is("{"))
                 at_.fail("#declare " + name, fmt::format("'{}' is not read here", word.text));
@@ -131,13 +126,10 @@ private:
 
     // Passes over files of POV-Ray's own: what they declare is known, if it is read.
     void include() {
-        static constexpr std::string_view known[] = {"colors.inc",  "functions.inc", "textures.inc",
-                                                     "shapes.inc",  "metals.inc",    "math.inc",
-                                                     "finish.inc",  "consts.inc",    "rad_def.inc",
-                                                     "shapes2.inc", "transforms.inc"};
         const PovWord word = at_.take();
-        if (std::ranges::count(known, at_.now().text) == 0) {
-            at_.fail("#include", fmt::format("\"{}\" is not read: put what it holds into this file",
+        if (!is_povs_own_file(at_.now().text)) {
+            at_.fail("#include", fmt::format("\"{}\" is not read: put it, or what it holds, into "
+                                             "this file's folder",
                                              at_.now().text));
         }
         at_.take();
@@ -170,8 +162,9 @@ private:
         const std::size_t line = at_.take().line;
         const PovNumber zero = PovNumber::of(0), one = PovNumber::of(1);
         Vector location{zero, zero, zero}, sky{zero, one, zero};
-        Vector target; // none: along the third axis
-        Vector angle;  // one number, or none
+        Vector target; // none: along the direction
+        Vector direction{zero, zero, one};
+        Vector angle; // one number, or none
         std::size_t location_line = line, target_line = line, angle_line = line;
         double right = 4.0 / 3, up = 1, ahead = 1;
         bool is_orthographic = false;
@@ -196,7 +189,8 @@ private:
             } else if (word.is("up")) {
                 up = length_of(values_.vector(at_, word.text), word.text);
             } else if (word.is("direction")) {
-                ahead = length_of(values_.vector(at_, word.text), word.text);
+                direction = values_.vector(at_, word.text);
+                ahead = length_of(direction, word.text);
             } else if (word.is("orthographic")) {
                 is_orthographic = true;
             } else if (!word.is("perspective")) {
@@ -207,7 +201,9 @@ private:
                                      word.text));
             }
         }
-        if (target.empty()) target = {location[0], location[1], plus(location[2], one)};
+        for (std::size_t k = 0; target.size() < 3; ++k)
+            target.push_back(plus(location[k], direction[k]));
+        eye_ = still_vector(location).value_or(eye_);
         put(location_line, "camera.position", vector_text(swapped(location)));
         put(target_line, "camera.target", vector_text(swapped(target)));
         put(line, "camera.up", vector_text(swapped(sky)));
@@ -285,7 +281,7 @@ private:
         for (const Light& light : all_lights_) {
             Vector color;
             for (const PovNumber& part : light.color)
-                color.push_back(times(part, look_.diffuse / (1 - mirrored(look_))));
+                color.push_back(times(part, look_.diffuse / (1 - look_.mirrored())));
             lights.push_back(fmt::format(
                 "{{ {} = {}, color = {}, shadow = {} }}", light.towards ? "direction" : "position",
                 vector_text(swapped(light.towards ? *light.towards : light.position)),
@@ -295,314 +291,191 @@ private:
             put(all_lights_.front().line, "lights", fmt::format("[{}]", fmt::join(lights, ", ")));
     }
 
-    // The one plane that is read: level, under everything.
-    void ground() {
-        const std::size_t line = at_.take().line;
+    // The first plane that is level and stays as it is lies under everything. Goes back to where it
+    // began if it is no such plane.
+    bool ground() {
+        const std::size_t begin = at_.place(), line = at_.take().line;
         at_.expect("{", "plane");
         const Vector normal = values_.vector(at_, "plane");
-        at_.expect(",", "plane");
+        at_.take_if(",");
         const PovNumber height = values_.number(at_, "plane");
         const auto is = [](const PovNumber& n, double wanted) { return n.value == wanted; };
-        if (!is(normal[0], 0) || !is(normal[1], 1) || !is(normal[2], 0))
-            at_.fail("plane", "is read with the normal y: it is the ground");
-        if (has_ground_) at_.fail("plane", "is the second; a scene has one ground");
-        has_ground_ = true;
-        Look look;
-        while (!at_.take_if("}")) {
-            if (!read_look(look))
-                at_.fail("plane", fmt::format("'{}' is not read", at_.now().text));
-        }
-        put(line, "ground.height", value_text(height));
-        if (look.color) put(line, "ground.color", vector_text(*look.color));
-    }
-
-    // ----- how a surface looks
-
-    // Reads a part of a look, if it is at one.
-    bool read_look(Look& look) {
-        const PovWord word = at_.now();
-        if (word.is("pigment")) {
-            at_.take();
-            read_pigment(look);
-        } else if (word.is("finish")) {
-            at_.take();
-            read_finish(look);
-        } else if (word.is("texture") || word.is("material")) {
-            at_.take();
-            at_.expect("{", word.text);
-            while (!at_.take_if("}")) {
-                if (take_declared_look(look) || read_look(look)) continue;
-                at_.fail(word.text, fmt::format("'{}' is not read", at_.now().text));
-            }
-        } else if (word.is("normal") || word.is("interior")) {
-            at_.take();
-            at_.skip_group(word.text);
-        } else if (word.is("no_shadow") || word.is("hollow") || word.is("double_illuminate") ||
-                   word.is("sturm") || word.is("open") || word.is("all_intersections") ||
-                   word.is("inverse") || word.is("uv_mapping")) {
-            at_.take();
-        } else {
+        bool is_ground = !has_ground_ && is(normal[0], 0) && is(normal[1], 1) && is(normal[2], 0);
+        PovLook look;
+        while (is_ground && !at_.take_if("}")) is_ground = looks_.read(at_, look);
+        if (!is_ground) {
+            at_.go_to(begin);
             return false;
         }
+        has_ground_ = true;
+        put(line, "ground.height", value_text(height));
+        if (look.color) put(line, "ground.color", vector_text(*look.color));
         return true;
     }
 
-    bool take_declared_look(Look& look) {
-        const auto found = looks_.find(at_.now().text);
-        if (found == looks_.end()) return false;
-        at_.take();
-        const Look& known = found->second;
-        if (known.color) look.color = known.color;
-        if (known.highlight > 0) {
-            look.highlight = known.highlight;
-            look.shininess = known.shininess;
-        }
-        if (known.diffuse != Look{}.diffuse) look.diffuse = known.diffuse;
-        return true;
-    }
-
-    void read_pigment(Look& look) {
-        const std::size_t begin = at_.place();
-        at_.expect("{", "pigment");
-        if (!take_declared_look(look)) {
-            if (!values_.is_color(at_.now()))
-                at_.fail("pigment",
-                         "its pattern is not read; write pigment { color rgb <1, 0, 0> }");
-            look.color = values_.vector(at_, "pigment");
-        }
-        at_.go_to(begin);
-        at_.skip_group("pigment");
-    }
-
-    void read_finish(Look& look) {
-        at_.expect("{", "finish");
-        while (!at_.take_if("}")) {
-            if (at_.at_end()) at_.fail("finish", "its braces do not close");
-            if (take_declared_look(look)) continue;
-            const PovWord word = at_.take();
-            if (word.is("diffuse")) {
-                look.diffuse = values_.constant(at_, word.text);
-            } else if (word.is("phong") || word.is("specular")) {
-                look.highlight = values_.constant(at_, word.text);
-            } else if (word.is("phong_size")) {
-                look.shininess = values_.constant(at_, word.text);
-            } else if (word.is("roughness")) {
-                look.shininess = 1 / std::max(values_.constant(at_, word.text), 1e-4);
-            } else if (at_.now().is("{")) {
-                at_.skip_group("finish");
-            }
-        }
-    }
-
-    // What the surface reflects straight on of POV-Ray's highlight.
-    static double mirrored(const Look& look) { return std::clamp(0.3 * look.highlight, 0.0, 0.9); }
-
-    void put_look() {
-        if (look_.color) put(look_line_, "material.color", vector_text(*look_.color));
-        if (!(look_.highlight > 0)) return;
-        put(look_line_, "material.model", "\"blinn-phong\"");
-        put(look_line_, "material.shininess",
-            fmt::format("{}", std::clamp(look_.shininess, 0.0, 10'000.0)));
-        put(look_line_, "material.specular", fmt::format("{}", mirrored(look_)));
-    }
-
-    // ----- the surface
+    // ----- the surfaces
 
     void surface() {
         const PovWord word = at_.now();
-        if (word.is("object")) return object();
-        const bool is_read = word.is("isosurface") || word.is("poly") || word.is("cubic") ||
-                             word.is("quartic") || word.is("quadric");
-        if (!is_read) {
-            at_.fail(word.text, "is not read; a scene is one isosurface, poly, cubic, quartic or "
-                                "quadric, with camera, light_source, background and plane");
+        if (!PovSolidReader::is_solid(word)) {
+            at_.fail(word.text, fmt::format("is not read; a scene is objects ({}), camera, "
+                                            "light_source and background",
+                                            PovSolidReader::known_words()));
         }
-        if (has_surface_) at_.fail(word.text, "is the second; a scene has one surface");
-        has_surface_ = true;
-        look_line_ = word.line;
-        at_.take();
-        at_.expect("{", word.text);
-        PovNumber formula;
-        if (word.is("poly")) {
-            const double order = values_.constant(at_, "poly");
-            if (!(order >= 2 && order <= 35) || order != std::round(order))
-                at_.fail("poly", "must have an order from 2 to 35");
-            at_.expect(",", "poly");
-            formula = polynomial(int(order), "poly");
-        } else if (word.is("cubic")) {
-            formula = polynomial(3, "cubic");
-        } else if (word.is("quartic")) {
-            formula = polynomial(4, "quartic");
-        } else if (word.is("quadric")) {
-            formula = quadric();
-        }
-        PovNumber threshold = PovNumber::of(0);
-        while (!at_.take_if("}")) surface_part(word, formula, threshold);
-        if (word.is("isosurface") && !has_function_)
-            at_.fail("isosurface", "needs function { ... }");
-        const bool is_zero = threshold.value == 0.0;
-        put(word.line, "surface.formula",
-            toml_text(is_zero ? formula.text
-                              : fmt::format("{} - ({})", formula.text, threshold.text)));
-        if (const auto transform = transform_.toml())
-            put(word.line, "surface.transform", *transform);
-        if (!bounds_ && word.is("isosurface")) // POV-Ray's own
-            bounds_ = Bounds{word.line, "{ box = [[-1, -1, -1], [1, 1, 1]] }"};
-        if (bounds_) put(bounds_->line, "surface.bounds", bounds_->text);
+        split(solids_.read(at_), roots_);
     }
 
-    void surface_part(const PovWord& of, PovNumber& formula, PovNumber& threshold) {
-        const PovWord word = at_.now();
-        if (at_.at_end()) at_.fail(of.text, "its braces do not close");
-        if (transform_.read(at_, values_) || read_look(look_)) return;
-        if (of.is("isosurface") && word.is("function")) {
-            at_.take();
-            formula = values_.function(at_);
-            has_function_ = true;
-        } else if (word.is("threshold")) {
-            at_.take();
-            threshold = values_.number(at_, word.text);
-        } else if (word.is("contained_by") || word.is("clipped_by") || word.is("bounded_by")) {
-            at_.take();
-            bounds(word);
-        } else if (word.is("accuracy") || word.is("max_gradient") || word.is("max_trace")) {
-            at_.take();
-            values_.number(at_, word.text);
-        } else if (word.is("evaluate")) {
-            at_.take();
-            for (int k = 0; k < 3; ++k) {
-                if (k > 0) at_.expect(",", "evaluate");
-                values_.number(at_, "evaluate");
+    // A union shows its parts as they are. Those that may be seen from within another part, or look
+    // otherwise, are surfaces of their own.
+    void split(const PovSolid& solid, std::vector<PovSolid>& all) const {
+        const bool is_cut = solid.bounds && !solid.bounds->is_hint;
+        if (solid.kind != PovSolid::Kind::unite || solid.is_inverse || is_cut ||
+            (solid.is_closed && solid.looks.size() == 1)) {
+            if (all.size() >= most_parts)
+                at_.fail_in(solid.line, solid.word,
+                            fmt::format("more than {} parts of unions", most_parts));
+            all.push_back(solid);
+            return;
+        }
+        for (const auto& part : solid.parts) {
+            PovSolid one = *part;
+            one.moves.insert(one.moves.end(), solid.moves.begin(), solid.moves.end());
+            if (!one.look.color) one.look = solid.look;
+            one.take_looks();
+            split(one, all);
+        }
+    }
+
+    // The first colour among an object's parts that can be seen.
+    static const PovLook* look_of(const PovSolid& solid) {
+        if (solid.look.color) return solid.look.is_clear ? nullptr : &solid.look;
+        for (const auto& part : solid.parts)
+            if (part->is_colored) return look_of(*part);
+        return nullptr;
+    }
+
+    // So many surfaces that a scene can have them: closed ones of one look are one; then all are.
+    void join() {
+        if (roots_.size() > std::size_t(most_surfaces)) join_alike(false);
+        if (roots_.size() > std::size_t(most_surfaces)) join_alike(true);
+        if (roots_.size() > std::size_t(most_surfaces)) {
+            at_.fail_in(roots_.back().line, roots_.back().word,
+                        fmt::format("is one of {} objects that differ in their looks; a scene has "
+                                    "at most {}",
+                                    roots_.size(), most_surfaces));
+        }
+    }
+
+    void join_alike(bool open_ones) {
+        std::vector<PovSolid> groups;
+        std::map<std::string, std::size_t> places; // by look
+        for (PovSolid& root : roots_) {
+            const PovLook* look = look_of(root);
+            const bool is_whole = root.is_closed && !root.is_inverse;
+            if (!look && root.look.is_clear) continue;
+            if (!is_whole && !open_ones) {
+                groups.push_back(std::move(root));
+                continue;
             }
-        } else {
-            at_.fail(of.text, fmt::format("'{}' is not read here", word.text));
-        }
-    }
-
-    void object() {
-        at_.take();
-        at_.expect("{", "object");
-        const auto found = objects_.find(at_.now().text);
-        if (found == objects_.end()) {
-            at_.fail("object", fmt::format("'{}' is not declared before", at_.now().text));
-        }
-        at_.take();
-        const std::size_t behind = at_.place();
-        at_.go_to(found->second);
-        if (at_.now().is("object")) at_.fail("object", "an object of an object is not read");
-        surface();
-        at_.go_to(behind);
-        while (!at_.now().is("}")) {
-            if (read_look(look_)) continue;
-            if (at_.at_end()) at_.fail("object", "its braces do not close");
-            at_.fail("object", fmt::format("'{}' is not read here; put it into the object's own "
-                                           "declaration",
-                                           at_.now().text));
-        }
-        at_.take();
-    }
-
-    void bounds(const PovWord& word) {
-        at_.expect("{", word.text);
-        const PovWord shape = at_.take();
-        // bounded_by { clipped_by }: the same shape for both.
-        if (shape.is("clipped_by") || shape.is("bounded_by")) return at_.expect("}", word.text);
-        if (shape.is("sphere") || shape.is("box")) {
-            at_.expect("{", word.text);
-            const Vector first = swapped(values_.vector(at_, word.text));
-            at_.expect(",", word.text);
-            if (shape.is("sphere")) {
-                const PovNumber radius = values_.number(at_, word.text);
-                put_bounds(word, fmt::format("{{ sphere = {}, centre = {} }}", value_text(radius),
-                                             vector_text(first)));
-            } else {
-                put_box(word, first, swapped(values_.vector(at_, word.text)));
+            const auto [place, is_new] =
+                places.try_emplace(look ? look->text() : "", groups.size());
+            if (is_new) {
+                PovSolid group;
+                group.word = root.word;
+                group.line = root.line;
+                group.is_closed = true;
+                if (look) group.look = *look;
+                groups.push_back(group);
             }
-            at_.expect("}", word.text);
-        } else {
-            at_.fail(word.text, "is read with a sphere or a box");
+            PovSolid& group = groups[place->second];
+            group.is_closed &= is_whole;
+            group.is_endless |= root.is_endless;
+            group.kind = group.is_closed ? PovSolid::Kind::unite : PovSolid::Kind::surfaces;
+            group.parts.push_back(std::make_shared<const PovSolid>(std::move(root)));
         }
-        at_.expect("}", word.text);
+        roots_ = std::move(groups);
     }
 
-    void put_box(const PovWord& word, Vector low, Vector high) {
-        for (std::size_t k = 0; k < 3; ++k) {
-            const auto &first = low[k].value, &second = high[k].value;
-            if (first && second && *first > *second) std::swap(low[k], high[k]);
+    struct Key {
+        std::size_t line;
+        std::string name, value;
+    };
+
+    // The keys of one surface; none if nothing of it can be seen.
+    std::vector<Key> keys_of(const PovSolid& solid) {
+        PovTransform transform;
+        bool is_similar = true;
+        for (const PovMove& move : solid.moves) is_similar = is_similar && transform.add(move);
+        PovSolid bare = solid;
+        std::optional<PovBounds> bounds;
+        if (solid.is_endless && !solid.bounds) is_similar = false; // bounds where they lie
+        if (is_similar) {
+            bare.moves.clear();
+            bounds = std::exchange(bare.bounds, std::nullopt);
         }
-        put_bounds(word, fmt::format("{{ box = [{}, {}] }}", vector_text(low), vector_text(high)));
+        PovFormula formula(at_, [&](const std::string& name) {
+            return values_.is_declared(name) || names_word(said_, name);
+        });
+        const auto text = formula.of(bare);
+        if (!text) return {};
+        std::vector<Key> keys{{solid.line, "formula", toml_text(*text)}};
+        if (is_similar) {
+            if (const auto moved = transform.toml())
+                keys.push_back({solid.line, "transform", *moved});
+        }
+        if (bounds) keys.push_back({bounds->line, "bounds", bounds->text});
+        // As far as can be seen, nearly: what goes on without end has no bounds to find.
+        if (!bounds && solid.is_endless) {
+            const double reach = 20 * std::max(glm::length(eye_), 1.0);
+            keys.push_back({solid.line, "bounds", pov_ball_bounds({eye_, reach})});
+        }
+        return keys;
     }
 
-    // bounded_by only saves time, so that it counts where nothing else bounds the surface.
-    void put_bounds(const PovWord& word, const std::string& text) {
-        const bool is_hint = word.is("bounded_by");
-        if (bounds_ && is_hint) return;
-        if (bounds_ && !bounds_->is_hint)
-            at_.fail(word.text, "is the second shape; the bounds are one sphere or one box");
-        bounds_ = Bounds{word.line, text, is_hint};
+    static std::vector<Key> look_keys(const PovLook& look, std::size_t line) {
+        std::vector<Key> keys;
+        if (look.color) keys.push_back({line, "color", vector_text(*look.color)});
+        if (!(look.highlight > 0)) return keys;
+        keys.push_back({line, "model", "\"blinn-phong\""});
+        keys.push_back(
+            {line, "shininess", fmt::format("{}", std::clamp(look.shininess, 0.0, 10'000.0))});
+        keys.push_back({line, "specular", fmt::format("{}", look.mirrored())});
+        return keys;
     }
 
-    // Coefficients in POV-Ray's order: x^n, x^(n-1) y, x^(n-1) z, x^(n-1) ... 1.
-    PovNumber polynomial(int order, std::string_view key) {
-        at_.expect("<", key);
-        std::string sum;
-        bool is_first = true;
-        for (int a = order; a >= 0; --a) {
-            for (int b = order - a; b >= 0; --b) {
-                for (int c = order - a - b; c >= 0; --c) {
-                    if (!is_first && !at_.take_if(",")) {
-                        at_.fail(key, fmt::format("needs {} numbers",
-                                                  (order + 1) * (order + 2) * (order + 3) / 6));
-                    }
-                    is_first = false;
-                    add_term(values_.number(at_, key), a, b, c, sum);
-                }
-            }
-        }
-        if (!at_.now().is(">")) {
-            at_.fail(key, fmt::format("has more than {} numbers",
-                                      (order + 1) * (order + 2) * (order + 3) / 6));
-        }
-        at_.take();
-        return {sum.empty() ? "0" : sum, PovNumber::Strength::sum, std::nullopt};
+    static std::string table(const std::vector<Key>& keys) {
+        std::vector<std::string> all;
+        for (const Key& key : keys) all.push_back(fmt::format("{} = {}", key.name, key.value));
+        return fmt::format("{{ {} }}", fmt::join(all, ", "));
     }
 
-    // `b` is the power of POV-Ray's y, which is our z.
-    static void add_term(const PovNumber& factor, int a, int b, int c, std::string& sum) {
-        if (factor.value == 0.0) return;
-        const auto plain = factor.plain();
-        std::string term =
-            plain ? fmt::format("{}", std::abs(*plain)) : fmt::format("({})", factor.text);
-        const bool is_negative = plain && *plain < 0;
-        const auto multiply = [&](char name, int power) {
-            if (power == 1) term += fmt::format("*{}", name);
-            if (power > 1) term += fmt::format("*{}^{}", name, power);
-        };
-        multiply('x', a);
-        multiply('z', b);
-        multiply('y', c);
-        if (!sum.empty())
-            sum += is_negative ? " - " : " + ";
-        else if (is_negative)
-            sum += "-";
-        sum += term;
-    }
-
-    // <A, B, C>, <D, E, F>, <G, H, I>, J: of x^2, y^2, z^2, xy, xz, yz, x, y, z and 1.
-    PovNumber quadric() {
-        static constexpr int powers[9][3] = {{2, 0, 0}, {0, 2, 0}, {0, 0, 2}, {1, 1, 0}, {1, 0, 1},
-                                             {0, 1, 1}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
-        std::string sum;
-        for (int group = 0; group < 3; ++group) {
-            const Vector factors = values_.vector(at_, "quadric");
-            for (int k = 0; k < 3; ++k) {
-                const auto& power = powers[3 * group + k];
-                add_term(factors[std::size_t(k)], power[0], power[1], power[2], sum);
-            }
-            at_.expect(",", "quadric");
+    void put_surfaces() {
+        join();
+        std::vector<std::vector<Key>> all;
+        std::vector<PovLook> looks;
+        for (const PovSolid& root : roots_) {
+            const std::vector<Key> keys = keys_of(root);
+            if (keys.empty()) continue;
+            all.push_back(keys);
+            const PovLook* look = look_of(root);
+            looks.push_back(look ? *look : root.look);
         }
-        add_term(values_.number(at_, "quadric"), 0, 0, 0, sum);
-        return {sum.empty() ? "0" : sum, PovNumber::Strength::sum, std::nullopt};
+        if (all.empty())
+            at_.fail("pigment", "lets all light pass everywhere: nothing of the scene can be seen");
+        look_ = looks[0];
+        if (all.size() == 1) {
+            for (const Key& key : all[0]) put(key.line, "surface." + key.name, key.value);
+            for (const Key& key : look_keys(look_, all[0][0].line))
+                put(key.line, "material." + key.name, key.value);
+            return;
+        }
+        std::vector<std::string> tables;
+        for (std::size_t k = 0; k < all.size(); ++k) {
+            const auto look = look_keys(looks[k], 0);
+            if (!look.empty()) all[k].push_back({0, "material", table(look)});
+            tables.push_back(table(all[k]));
+        }
+        put(all[0][0].line, "surfaces", fmt::format("[{}]", fmt::join(tables, ", ")));
     }
 
     // Writes the clock, and the parameters that something names, also by way of others.
@@ -624,22 +497,23 @@ private:
 
     PovCursor at_;
     PovValues values_;
+    PovLooks looks_;
+    PovMoves moves_;
+    PovSolidReader solids_;
     TomlLines lines_;
-    std::size_t last_line_, look_line_ = 0;
+    std::size_t last_line_;
     std::string said_; // all values, to see what they name
-    std::map<std::string, Look> looks_;
-    std::map<std::string, std::size_t> objects_; // where their words begin
+    std::vector<PovSolid> roots_;
     std::vector<Light> all_lights_;
-    Look look_;
-    PovTransform transform_;
-    std::optional<Bounds> bounds_;
-    bool has_surface_ = false, has_function_ = false, has_ground_ = false, has_background_ = false;
+    PovLook look_;            // of the first surface
+    glm::dvec3 eye_{0, 0, 0}; // the camera
+    bool has_ground_ = false, has_background_ = false;
 };
 
 } // namespace
 
 std::string pov_as_toml(std::string_view text, const std::filesystem::path& file) {
-    const std::vector<PovWord> words = pov_words(text, file);
+    const std::vector<PovWord> words = pov_words_with_includes(text, file);
     return PovScene(words, file).toml();
 }
 

@@ -1,4 +1,4 @@
-// Reads scenes of POV-Ray: .pov files with one surface given by a formula.
+// Reads scenes of POV-Ray: .pov files with objects that have formulas.
 #pragma once
 
 #include <filesystem>
@@ -10,6 +10,8 @@ namespace isomotion::scene {
 // The scene in TOML. Each key is in the line of the object that it comes from, so later mistakes in
 // it are reported with the line of the .pov file. Throws SceneError, "file:line: word: what is
 // wrong", also for unsupported statements, unless they affect only how a surface looks.
+//
+// Each object is a tree (pov_solids.h), of which pov_formula.h makes one formula.
 //
 // POV-Ray's y is up and its axes are left-handed. This function exchanges y and z in the formula
 // and in every vector, so that the picture stays the same. Declared numbers become parameters; the

@@ -11,7 +11,7 @@ namespace isomotion::scene {
 namespace {
 
 // The three numbers, if their texts state only these.
-std::optional<glm::dvec3> plain(const std::vector<PovNumber>& numbers) {
+std::optional<glm::dvec3> plain(const PovValue& numbers) {
     return std::ranges::all_of(numbers, &PovNumber::is_plain) ? still_vector(numbers)
                                                               : std::nullopt;
 }
@@ -38,97 +38,82 @@ glm::dvec3 angles_of(const glm::dmat3& m) {
     return glm::degrees(glm::dvec3(std::atan2(m[1].z, m[2].z), y, std::atan2(m[0].y, m[0].x)));
 }
 
-std::string quoted_list(const std::vector<PovNumber>& numbers) {
+std::string quoted_list(const PovValue& numbers) {
     return fmt::format("[{}, {}, {}]", toml_text(numbers[0].text), toml_text(numbers[1].text),
                        toml_text(numbers[2].text));
 }
 
 } // namespace
 
-void PovTransform::expect_still(const PovCursor& at, std::string_view what) const {
-    if (last_ || turn_)
-        at.fail(what, "is not read behind a translate or rotate that moves; put it before");
-}
-
-void PovTransform::translate(const std::vector<PovNumber>& by) {
-    const std::vector<PovNumber> swapped{by[0], by[2], by[1]};
+bool PovTransform::translate(const PovValue& by) {
+    const PovValue swapped{by[0], by[2], by[1]};
     const auto still = plain(swapped);
     if (still && !last_) {
         still_ += *still;
-        return;
+        return true;
     }
     if (!last_) {
         last_ = swapped;
-        return;
+        return true;
     }
     for (std::size_t k = 0; k < 3; ++k) {
         (*last_)[k] = {fmt::format("({}) + ({})", (*last_)[k].text, swapped[k].text),
                        PovNumber::Strength::sum, std::nullopt};
     }
+    return true;
 }
 
-void PovTransform::rotate(const std::vector<PovNumber>& angles, const PovCursor& at) {
-    expect_still(at, "rotate");
+bool PovTransform::rotate(const PovValue& angles) {
+    if (last_ || turn_) return false;
     if (const auto still = plain(angles)) {
         const glm::dmat3 turn = with_axes_swapped(rotation(glm::radians(*still)));
         rotation_ = turn * rotation_;
         still_ = turn * still_;
-        return;
+        return true;
     }
+    // One that moves goes first, about one axis.
     const auto is_zero = [](const PovNumber& n) { return n.value == 0.0; };
     if (std::ranges::count_if(angles, is_zero) != 2 || rotation_ != glm::dmat3(1) ||
-        still_ != glm::dvec3(0)) {
-        at.fail("rotate", "one that moves is read about one axis, as the first transformation");
-    }
+        still_ != glm::dvec3(0))
+        return false;
     // A rotation about a swapped axis goes the other way round.
-    turn_ = std::vector<PovNumber>{angles[0], angles[2], angles[1]};
+    turn_ = PovValue{angles[0], angles[2], angles[1]};
     for (PovNumber& angle : *turn_) {
         if (is_zero(angle)) continue;
         angle = {fmt::format("-({})", angle.text), PovNumber::Strength::sum, std::nullopt};
     }
+    return true;
 }
 
-void PovTransform::scale(double by, const PovCursor& at) {
-    expect_still(at, "scale");
-    if (!(by > 0)) at.fail("scale", "must be above 0");
-    scale_ *= by;
-    still_ *= by;
+bool PovTransform::scale(const PovValue& by) {
+    const auto& even = by[0].value;
+    if (last_ || turn_ || !even || even != by[1].value || even != by[2].value || !(*even > 0))
+        return false;
+    scale_ *= *even;
+    still_ *= *even;
+    return true;
 }
 
-bool PovTransform::read(PovCursor& at, PovValues& values) {
-    const std::size_t place = at.place();
-    const std::string word = at.now().text;
-    if (word != "translate" && word != "rotate" && word != "scale") {
-        if (word == "matrix" || word == "transform")
-            at.fail(word, "is not read; write translate, rotate and scale");
+bool PovTransform::add(const PovMove& move) {
+    is_there_ = true;
+    switch (move.kind) {
+    case PovMove::Kind::translate:
+        return translate(move.by);
+    case PovMove::Kind::rotate:
+        return rotate(move.by);
+    case PovMove::Kind::scale:
+        return scale(move.by);
+    case PovMove::Kind::matrix:
         return false;
     }
-    at.take();
-    const std::vector<PovNumber> by = values.vector(at, word);
-    is_there_ = true;
-    const std::size_t behind = at.place();
-    at.go_to(place); // where mistakes are told
-    if (word == "translate") {
-        translate(by);
-    } else if (word == "rotate") {
-        rotate(by, at);
-    } else {
-        const auto& even = by[0].value;
-        if (!even || even != by[1].value || even != by[2].value) {
-            at.fail("scale", "must be one number: another along each axis is not read. Write the "
-                             "formula in x/2, say, in place of a scale of 2");
-        }
-        scale(*even, at);
-    }
-    at.go_to(behind);
-    return true;
+    return false;
 }
 
 std::optional<std::string> PovTransform::toml() const {
     if (!is_there_) return std::nullopt;
     std::string translate = toml_text(still_);
     if (last_) {
-        std::vector<PovNumber> all = *last_;
+        PovValue all = *last_;
         for (int k = 0; k < 3; ++k) {
             if (still_[k] == 0) continue;
             all[std::size_t(k)].text =

@@ -170,9 +170,9 @@ TEST(Pov, BoundsAreOneShape) {
     EXPECT_EQ(bounds_of("bounded_by " + box).max.x, 3);
     const Scene unit = scene_of("isosurface { function { x*x + y*y + z*z - 1.2 } }\n");
     EXPECT_EQ(at_frame(unit, 1).surfaces[0].bounds.min, glm::dvec3(-1));
-    EXPECT_THAT(mistake_of("quadric { <1, 1, -1>, 0, 0, -1\nclipped_by " + ball + "\nclipped_by " +
+    EXPECT_THAT(mistake_of("isosurface { function { x }\ncontained_by " + ball + "\ncontained_by " +
                            box + "}\n"),
-                testing::StartsWith("ball.pov:3: clipped_by: is the second shape"));
+                testing::StartsWith("ball.pov:3: contained_by: is the second shape"));
 }
 
 TEST(Pov, MistakesHaveTheLinesOfTheFile) {
@@ -183,12 +183,15 @@ TEST(Pov, MistakesHaveTheLinesOfTheFile) {
     expect(with("Wave(x", "Wav(x"), "15: function: the function Wav is not read; read are min");
     expect(with("isosurface {", "julia_fractal {"), "14: julia_fractal: is not read; a scene is");
     expect(with("angle 60", "fisheye"), "11: camera: 'fisheye' is not read; read are location");
-    expect(with("rotate 90*y", "scale <1, 2, 1>"), "19: scale: must be one number");
+    expect(with("rotate 90*y", "scale <1, 0, 1>"), "19: scale: must not be 0 along an axis");
     expect(with("pigment { color Red }", "pigment { checker }"), "18: pigment: its pattern");
     expect(with("\"colors.inc\"", "\"my.inc\""), "3: #include: \"my.inc\" is not read: put");
     expect(with("global_settings {", "#while (1) {"), "4: #while: is not read; read are #declare");
     expect(with("in a comment */ */", "in a comment */"), "5: /*: this comment has no end");
-    expect(pov_ball + std::string("sphere { 0, 1 }"), "22: sphere: is not read");
+    expect(pov_ball + std::string("height_field { 0 }"), "22: height_field: is not read");
+    expect("sphere { 0, 1\nrotate }", "2: rotate: needs a number, a vector or a name before '}'");
+    expect("union { }", "1: union: needs objects before '}'");
+    expect("object {\nBal }", "2: object: 'Bal' is not declared before");
     expect("camera { location <0, 0, 0> }", "1: isosurface: is missing; a scene is one");
     expect("cubic { <1, 2, 3> }", "1: cubic: needs 20 numbers");
     expect("isosurface { function { x", "1: function: needs '}' before 'the end of the file'");
@@ -206,10 +209,11 @@ TEST(Pov, HostileFilesEnd) {
     for (int k = 0; k < 24; ++k) nested = "f(" + nested + ")";
     EXPECT_THAT(mistake_of(calls + "isosurface { function { " + nested + " } }"),
                 HasSubstr("too long a formula"));
-    for (const char* text : {"", "#", "#declare", "#declare a", "#declare a =", "object {",
-                             "camera {", "poly { 2.5, <1> }", "poly { 35, <1> }", "\"", "<", "}",
-                             "isosurface { function { x.y } }", "light_source { <1, 2> }",
-                             "plane { x, 1 }", "quadric { <1,2,3>", "#declare f = function(x"})
+    for (const char* text :
+         {"", "#", "#declare", "#declare a", "#declare a =", "object {", "camera {",
+          "poly { 2.5, <1> }", "poly { 35, <1> }", "\"", "<", "}",
+          "isosurface { function { x.y } }", "light_source { <1, 2> }", "union {",
+          "difference { sphere { 0, 1 }", "quadric { <1,2,3>", "#declare f = function(x"})
         EXPECT_THAT(mistake_of(text), testing::StartsWith("ball.pov:")) << text;
 }
 
