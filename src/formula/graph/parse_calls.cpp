@@ -33,7 +33,8 @@ FormulaParser::Defined FormulaParser::defined_function(std::string_view name) {
 
 NodeId FormulaParser::call_defined(const Defined& defined, const std::vector<NodeId>& arguments,
                                    std::string_view name, std::size_t begin) {
-    const auto& [owner, function] = defined;
+    const OwnFunctions* const owner = defined.owner;
+    const OwnFunction* const function = defined.function;
     if (arguments.size() != function->arguments.size()) {
         fail(begin, fmt::format("{}({}) takes {} argument{}, not {}", name,
                                 join(function->arguments), function->arguments.size(),
@@ -180,7 +181,7 @@ std::optional<std::vector<NodeId>> FormulaParser::accept_vector() {
             fail(place, fmt::format("{} takes {} parts, not {}", word, wanted, parts.size()));
         return parts;
     }
-    if (const auto parts = is_point(word) ? parts_of_point() : std::nullopt) {
+    if (auto parts = is_point(word) ? parts_of_point() : std::nullopt) {
         skip_space();
         if (peek() == ',' || peek() == closing_) return parts;
     }

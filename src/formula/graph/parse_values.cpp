@@ -47,7 +47,7 @@ NodeId FormulaParser::negation() {
     skip_space();
     const bool is_again = peek() == '!' || rest().starts_with("¬");
     const NodeId of = is_sign && !is_again ? expression() : negation();
-    if (is_sign && TextCursor(*this).accept_comparison(is_enclosed_))
+    if (is_sign && compares_here(is_enclosed_))
         fail(place, "this may be two things: write !(a < b), or (!a) < b");
     return choose(graph_, of, graph_.constant(0), graph_.constant(1));
 }
@@ -140,8 +140,7 @@ NodeId FormulaParser::term() {
 }
 
 bool FormulaParser::begins_factor(NodeId left) {
-    if (begins_word())
-        return !is_connective(peek_name()) && !TextCursor(*this).accept_comparison(false);
+    if (begins_word()) return !is_connective(peek_name()) && !compares_here(false);
     const bool joins_conditions =
         rest().starts_with("||") &&
         (is_compared_ || (is_choice(graph_[left]) && is_condition(graph_, left)));

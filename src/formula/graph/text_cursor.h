@@ -57,6 +57,10 @@ public:
     std::optional<double> accept_fraction();
     // `enclosed`: within parentheses, where == and != compare. Elsewhere == makes an equation.
     std::optional<Comparison> accept_comparison(bool enclosed);
+    // Whether a sign of comparison stands here.
+    bool compares_here(bool enclosed) const {
+        return TextCursor(text_, at_).accept_comparison(enclosed).has_value();
+    }
     bool accept_equals() { return accept("==") || accept('='); }
     // What opens a list of arguments or a part of a formula: the character that closes it.
     std::optional<char> accept_opening();

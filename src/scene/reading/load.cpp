@@ -137,9 +137,6 @@ std::string how_to_name(std::string_view mistake) {
     if (!mistake.starts_with(start)) return "";
     const std::string_view name =
         mistake.substr(start.size(), mistake.find('\'', start.size()) - start.size());
-    if (const std::string_view meaning = meaning_in_expressions(name); !meaning.empty())
-        return fmt::format("\n'{}' means the {} in expressions; choose another name", name,
-                           meaning);
     return fmt::format("\n--set {}=1 makes it a parameter", name);
 }
 

@@ -7,12 +7,17 @@
 
 namespace isomotion::scene {
 
+namespace {
+
+// What the name means in expressions, so that nothing else can have it; empty for other names.
 std::string_view meaning_in_expressions(std::string_view name) {
     return name == "t"   ? "time"
            : name == "i" ? "element's index"
            : name == "n" ? "number of elements"
                          : "";
 }
+
+} // namespace
 
 void check_parameter_name(const std::string& name, const toml::node& at, const std::string& key,
                           bool has_arrays) {

@@ -16,7 +16,4 @@ void check_name(const std::string& name, const toml::node& at, const std::string
 void check_parameter_name(const std::string& name, const toml::node& at, const std::string& key,
                           bool has_arrays);
 
-// What the name means in expressions, so that nothing else can have it; empty for other names.
-std::string_view meaning_in_expressions(std::string_view name);
-
 } // namespace isomotion::scene
