@@ -131,7 +131,8 @@ void PovPlace::undo(const PovMove& move) {
         for (std::size_t k = 0; k < 3; ++k) rows_[k][3] = joined(rows_[k][3], '-', move.by[k]);
     } else if (move.kind == PovMove::Kind::scale) {
         for (std::size_t k = 0; k < 3; ++k)
-            for (PovNumber& n : rows_[k]) n = joined(n, '/', move.by[k]);
+            for (PovNumber& n : rows_[k])
+                if (n.plain() != 0.0) n = joined(n, '/', move.by[k]);
     } else if (move.kind == PovMove::Kind::rotate) {
         // About x, y and z in turn; backwards.
         for (std::size_t axis = 3; axis-- > 0;) {
@@ -226,7 +227,10 @@ std::string at_pov_place(const std::string& formula, const PovPlace& place) {
         std::size_t end = at;
         while (end < formula.size() && is_of_name(formula[end])) ++end;
         const std::string name = formula.substr(at, std::max(end, at + 1) - at);
-        all += name == "x" ? held(x) : name == "y" ? held(z) : name == "z" ? held(y) : name;
+        const std::string* there = name == "x" ? &x : name == "y" ? &z : name == "z" ? &y : nullptr;
+        // "abs(x)" holds what it has already.
+        const bool is_held = all.ends_with('(') && formula.substr(at + 1, 1) == ")";
+        all += !there ? name : is_held ? *there : held(*there);
         at += name.size();
     }
     return all;
