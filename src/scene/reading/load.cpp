@@ -11,7 +11,6 @@
 #include "base/printable.h"
 #include "scene/reading/mistakes.h"
 #include "scene/reading/named_file.h"
-#include "scene/reading/names.h"
 #include "scene/reading/overrides.h"
 #include "scene/reading/scene_document.h"
 #include "scene/reading/scene_reader.h"

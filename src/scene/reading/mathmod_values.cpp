@@ -49,7 +49,7 @@ Part number_part(double value) {
     part.text = fmt::format("{}", value);
     part.value = value;
     part.is_never_negative = value >= 0;
-    if (value < 0) part.strength = Strength::sum;
+    if (value < 0) part.strength = Part::Strength::sum;
     return part;
 }
 

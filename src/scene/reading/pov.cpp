@@ -444,8 +444,10 @@ private:
     }
 
     static std::string table(const std::vector<Key>& keys) {
-        std::vector<std::string> all;
-        for (const Key& key : keys) all.push_back(fmt::format("{} = {}", key.name, key.value));
+        std::vector<std::string> all(keys.size());
+        std::ranges::transform(keys, all.begin(), [](const Key& key) {
+            return fmt::format("{} = {}", key.name, key.value);
+        });
         return fmt::format("{{ {} }}", fmt::join(all, ", "));
     }
 
