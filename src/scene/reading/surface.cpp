@@ -117,7 +117,7 @@ void make_vocabulary(SurfaceParts& parts, TrackTable& tracks, MistakeList& mista
     // The time, in a formula that names it.
     if (parts.formula && names_time(*parts.formula)) {
         tracks.add("t", animation::Expression{"t"}, 0, nullptr);
-        parts.vocabulary.parameters.push_back("t");
+        parts.vocabulary.parameters.emplace_back("t");
     }
     parts.surface.parameters = tracks.size();
     if (tracks.size() > limits::parameters) {
