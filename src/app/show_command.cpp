@@ -209,7 +209,7 @@ void print_surface(const scene::OneSurface& one, const shader::Passes& passes,
         print_result("bounds    found: a ball of radius {:g} about ({:g}, {:g}, {:g}), {}\n",
                      bounds.radius, bounds.centre.x, bounds.centre.y, bounds.centre.z,
                      *found ? "which holds the surface at all frames"
-                            : "beyond which the surface may go on, or there is none");
+                            : "and the surface may go on beyond it, or there may be none");
     }
     if (sight.values) print_result("nothing   {}\n", probe::why_nothing_is_seen(sight));
     if (sight.cut > 0)

@@ -24,8 +24,9 @@ struct Box {
 
 Box hull(const Box& a, const Box& b) { return {glm::min(a.low, b.low), glm::max(a.high, b.high)}; }
 
-// Operations on intervals, of all groups of frames together, for the whole search; operations of
-// the frames' values; and boxes that are looked at in turn.
+// Operations on intervals, of all groups of frames together, that look for a first part of the
+// surface, and as many again for what lies beyond it; operations of the frames' values; and boxes
+// that are looked at in turn.
 constexpr double most_evaluated = 1e8, most_of_frames = 3e7;
 constexpr std::size_t most_boxes = 80'000;
 constexpr int groups = 16;

@@ -12,7 +12,7 @@ constexpr Function functions[] = {
     {"acos", "acos", std::acos, nullptr, true},
     {"acosh", "arcosh", std::acosh, nullptr, true, false, Helper::arcosh},
     {"asin", "asin", std::asin},
-    {"asinh", "arsinh", std::asinh, nullptr, false, false, Helper::arsinh},
+    {"asinh", "asinh", std::asinh},
     {"atan", "atan", std::atan},
     {"atan2", "atan2", nullptr, std::atan2},
     {"atanh", "atanh", std::atanh},

@@ -9,7 +9,7 @@
 namespace isomotion::scene::mathmod {
 
 // Functions that the formulas of isomotion lack. They are the first definitions of all values.
-enum class Helper : std::size_t { signed_power, remainder, arsinh, arcosh };
+enum class Helper : std::size_t { signed_power, remainder, arcosh };
 
 struct Function {
     const char* name;

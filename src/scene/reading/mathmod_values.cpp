@@ -23,8 +23,7 @@ struct HelperText {
 constexpr HelperText helpers[] = {
     {"signed_power", "(u, v)", "sign(u)*abs(u)^v"},
     {"remainder", "(u, v)", "u - v*trunc(u/v)"},
-    {"arsinh", "(u)", "sign(u)*log(abs(u) + sqrt(u^2 + 1))"},
-    {"arcosh", "(u)", "if(u >= 1, log(u + sqrt(u^2 - 1)), log(u - 1))"}, // no value below 1
+    {"arcosh", "(u)", "if(u >= 1, acosh(u), log(u - 1))"}, // no value below 1
 };
 
 // Words of formulas, and of expressions over time.

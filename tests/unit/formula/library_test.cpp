@@ -68,7 +68,7 @@ TEST(Library, HasDistances) {
     EXPECT_NEAR(value("round_box(1, 1, 1, 0.2)", {0.7, 0, 0}), -0.3, 1e-12);
     EXPECT_NEAR(value("octahedron(1)", {1, 1, 1}), 2 / std::sqrt(3.0), 1e-12);
     EXPECT_NEAR(value("plane(1, 2, 2, 3)", {2, 2, 2}), (10 - 3) / 3.0, 1e-12);
-    // Of a cone 3-4-5: the apex at height 4 and the rim of radius 3 are on it.
+    // The apex at height 4 and the rim of radius 3 lie on the cone; its side is 5 long.
     EXPECT_NEAR(value("cone(3, 4)", {0, 0, 4}), 0, 1e-12);
     EXPECT_NEAR(value("cone(3, 4)", {3, 0, 0}), 0, 1e-12);
     EXPECT_NEAR(value("cone(3, 4)", {3, 0, 4}), 12 / 5.0, 1e-12);
