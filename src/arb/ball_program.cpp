@@ -358,6 +358,8 @@ void BallProgram::operation(const Instruction& now, const formula::Bindings<doub
     case Op::pick:
     case Op::which:
         throw std::logic_error("what goes through elements is scheduled as a loop");
+    case Op::at:
+        throw std::logic_error("what is taken at another point is put in its place by a call");
     }
 }
 
