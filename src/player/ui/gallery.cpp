@@ -78,12 +78,14 @@ void Gallery::open(const std::vector<fs::path>& opened) {
     opened_ = entries_.size();
     for (const auto& name : scene::animation_names())
         add(name, scene::animation_file(name), ground);
+    sheet_.emplace(entries_.size() - opened_);
 }
 
 void Gallery::close() {
     open_ = false;
     process_.reset();
     entries_.clear();
+    sheet_.reset();
 }
 
 bool Gallery::take_picture(Entry& entry) {
@@ -132,26 +134,37 @@ bool Gallery::attend() {
     return news;
 }
 
-bool Gallery::show_entry(Entry& entry, float side) {
+// The entry's own picture, or that of the sheet, or an empty place.
+void Gallery::show_picture(std::size_t at, const std::array<float, 2>& from, float side) const {
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    const ImVec2 begin{from[0], from[1]}, end{from[0] + side, from[1] + side};
+    const float rounding = 5;
+    const auto show = [&](unsigned texture, ImVec2 upper_left, ImVec2 lower_right) {
+        list.AddImageRounded(reinterpret_cast<ImTextureID>(std::uintptr_t(texture)), begin, end,
+                             upper_left, lower_right, IM_COL32_WHITE, rounding);
+    };
+    const auto& own = entries_[at].texture;
+    const auto of_sheet = at < opened_ ? std::nullopt : sheet_->part(at - opened_);
+    if (own)
+        show(own->id(), {0, 0}, {1, 1});
+    else if (of_sheet)
+        show(of_sheet->texture, {of_sheet->begin[0], of_sheet->begin[1]},
+             {of_sheet->end[0], of_sheet->end[1]});
+    else
+        list.AddRectFilled(begin, end, ImGui::GetColorU32(ImGuiCol_FrameBg), rounding);
+    if (ImGui::IsItemHovered()) list.AddRect(begin, end, accent_color(), rounding, 0, 2);
+}
+
+bool Gallery::show_entry(std::size_t number, float side) {
+    const Entry& entry = entries_[number];
     ImGui::BeginGroup();
     const ImVec2 at = ImGui::GetCursorScreenPos();
     ImGui::PushID(&entry);
     const bool chosen = ImGui::InvisibleButton("open", {side, side});
     ImGui::PopID();
     record_widget_rect("scene " + entry.scene);
-    ImDrawList& list = *ImGui::GetWindowDrawList();
-    const ImVec2 end{at.x + side, at.y + side};
-    const float rounding = 5;
-    if (entry.texture) {
-        list.AddImageRounded(reinterpret_cast<ImTextureID>(std::uintptr_t(entry.texture->id())), at,
-                             end, {0, 0}, {1, 1}, IM_COL32_WHITE, rounding);
-    } else {
-        list.AddRectFilled(at, end, ImGui::GetColorU32(ImGuiCol_FrameBg), rounding);
-    }
-    if (ImGui::IsItemHovered()) {
-        list.AddRect(at, end, accent_color(), rounding, 0, 2);
-        ImGui::SetTooltip("%s", entry.scene.c_str());
-    }
+    show_picture(number, {at.x, at.y}, side);
+    if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", entry.scene.c_str());
     ImGui::PushTextWrapPos(ImGui::GetCursorPosX() + side);
     ImGui::TextUnformatted(entry.title.c_str());
     ImGui::PopTextWrapPos();
@@ -185,11 +198,11 @@ std::optional<std::string> Gallery::show() {
     if (opened_ > 0) heading("opened before");
     for (std::size_t k = 0; k < entries_.size(); ++k) {
         if (k == opened_ && opened_ > 0) heading("comes with isomotion");
-        Entry& entry = entries_[k];
+        const Entry& entry = entries_[k];
         if (in_lower_case(entry.title + entry.scene).find(wanted) == std::string::npos) continue;
         if (column > 0) ImGui::SameLine(0, gap);
         column = (column + 1) % columns;
-        if (show_entry(entry, side)) chosen = entry.scene;
+        if (show_entry(k, side)) chosen = entry.scene;
         if (column == 0) ImGui::Dummy({0, 0.4f * gap});
     }
     ImGui::EndChild();

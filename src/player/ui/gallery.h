@@ -9,6 +9,7 @@
 
 #include "gpu/screen.h"
 #include "player/model/render_process.h"
+#include "player/ui/gallery_sheet.h"
 
 namespace isomotion::player {
 
@@ -36,14 +37,16 @@ private:
         std::optional<gpu::ScreenTexture> texture;
     };
 
-    bool show_entry(Entry& entry, float side);
+    bool show_entry(std::size_t at, float side);
+    void show_picture(std::size_t at, const std::array<float, 2>& from, float side) const;
     bool take_picture(Entry& entry);
     void add(const std::string& scene, const std::filesystem::path& file,
              const std::string& foundation);
 
     bool open_ = false;
     std::vector<Entry> entries_;
-    std::size_t opened_ = 0; // number of scenes opened before; they come first
+    std::size_t opened_ = 0;            // number of scenes opened before; they come first
+    std::optional<GallerySheet> sheet_; // of the installed animations
     std::optional<RenderProcess> process_;
     std::size_t rendered_ = 0; // the entry being rendered
     std::array<char, 64> filter_{};
