@@ -112,7 +112,10 @@ RayState advance_by_cubic(RayState s, Ray ray, float t, vec2 f, float longest, b
     }
 
     float growth = min(middle, abs(f.x)) > 8.0 * error || overflows ? 2.5 : 1.2;
-    float step = starts ? min(abs(t - newton), thresholds.x) : growth * h;
+    // A ray that begins beside a surface and leaves it is not about to meet that.
+    bool recedes = (f.x < 0.0) == (f.y < 0.0);
+    float first_step = recedes ? thresholds.x : min(abs(t - newton), thresholds.x);
+    float step = starts ? first_step : growth * h;
 #ifdef ROUGH
     // Behind a break, whose length `other` holds, more may follow. Far from 0 steps grow fast.
     if (starts && s.other.x > 0.0) step = min(step, 8.0 * s.other.x);
