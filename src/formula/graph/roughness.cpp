@@ -124,11 +124,14 @@ Roughness roughness(Graph& g, NodeId root, double least_part) {
 }
 
 NodeId anywhere(Graph& g, const Roughness& roughness) {
-    NodeId all = g.constant(0);
+    NodeId most = g.constant(0);
     for (const auto* places : {&roughness.kinks, &roughness.jumps, &roughness.poles}) {
-        for (const NodeId decoration : *places) all = g.add(all, decoration);
+        for (const NodeId decoration : *places) {
+            if (g.is_constant(decoration)) return entire(g);
+            most = g.binary(Op::max, most, decoration);
+        }
     }
-    return all;
+    return most;
 }
 
 } // namespace isomotion::formula

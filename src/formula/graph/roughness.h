@@ -31,7 +31,8 @@ inline constexpr double least_part_of_rays = 0x1p-4;
 // pixels, at a quarter 4, at a half none, in fewer evaluations.
 inline constexpr double least_part_of_pieces = 0x1p-1;
 
-// The sum of all of them.
+// 0 over boxes that hold none of these places; without an upper bound over all others. It is the
+// greatest of all decorations, since shaders take many times as long to add intervals.
 NodeId anywhere(Graph& graph, const Roughness& roughness);
 
 } // namespace isomotion::formula
