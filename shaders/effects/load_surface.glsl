@@ -18,7 +18,7 @@ uniform vec4 surface_moves[3 * SURFACES]; // three rows for each, from its coord
 
 SurfacePoint load_surface() {
     SurfacePoint p = stored_surface();
-    int k = 3 * int(texelFetch(surface_texture_3, ivec2(pixel_centre), 0).z);
+    int k = 3 * int(IM_TEXEL(surface_texture_3, ivec2(pixel_centre)).z);
     vec4 x = surface_moves[k], y = surface_moves[k + 1], z = surface_moves[k + 2];
     float scale = length(x.xyz);
     vec4 at = vec4(p.position, 1.0);

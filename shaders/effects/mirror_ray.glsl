@@ -5,7 +5,7 @@ Ray mirrored_ray() {
     bool goes_on = is_on_surface(p);
 #ifdef MIRRORS
     // Only rays that end on a surface which mirrors the others: MIRRORS has a bit for each of those.
-    int k = int(texelFetch(surface_texture_3, ivec2(pixel_centre), 0).z);
+    int k = int(IM_TEXEL(surface_texture_3, ivec2(pixel_centre)).z);
     goes_on = goes_on && ((MIRRORS >> k) & 1) != 0;
 #endif
     Ray ray = eye_ray();

@@ -18,7 +18,7 @@ vec4 color_beside(Ray ray) {
 
 void main() {
 #ifdef SURFACE
-    vec4 end = texelFetch(surface_texture_3, ivec2(pixel_centre), 0);
+    vec4 end = IM_TEXEL(surface_texture_3, ivec2(pixel_centre));
     if (int(end.z) != SURFACE) discard;
     int evaluations = int(end.y); // of all surfaces
 #else

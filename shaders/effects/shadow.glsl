@@ -27,14 +27,14 @@ uniform sampler2D shadow_texture;
 
 RayState begin_lights() {
     RayState s = state_at(0.0);
-    vec4 others = texelFetch(shadow_texture, ivec2(pixel_centre), 0);
+    vec4 others = IM_TEXEL(shadow_texture, ivec2(pixel_centre));
     s.verdict = int(others.y) + UNDECIDED_RAY * int(others.w);
     s.evaluations = int(others.z);
     return s;
 }
 
 int evaluations_before() {
-    return int(texelFetch(shadow_texture, ivec2(pixel_centre), 0).z);
+    return int(IM_TEXEL(shadow_texture, ivec2(pixel_centre)).z);
 }
 #else
 // Shadow rays begin with no light hidden.

@@ -20,7 +20,7 @@ float mirrored_visibility(int k) {
 uniform sampler2D glass_shadow_texture;
 
 float arrives(int k) {
-    int hidden = int(texelFetch(glass_shadow_texture, ivec2(pixel_centre), 0).y);
+    int hidden = int(IM_TEXEL(glass_shadow_texture, ivec2(pixel_centre)).y);
     return ((hidden >> k) & 1) == 0 ? 1.0 : 0.0;
 }
 #endif

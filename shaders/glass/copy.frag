@@ -8,11 +8,11 @@ layout(location = 4) out vec4 path_4;
 
 void main() {
     ivec2 at = ivec2(pixel_centre);
-    path_0 = texelFetch(glass_texture_0, at, 0);
-    path_1 = texelFetch(glass_texture_1, at, 0);
-    path_2 = texelFetch(glass_texture_2, at, 0);
-    path_3 = texelFetch(glass_texture_3, at, 0);
-    path_4 = texelFetch(glass_texture_4, at, 0);
+    path_0 = IM_TEXEL(glass_texture_0, at);
+    path_1 = IM_TEXEL(glass_texture_1, at);
+    path_2 = IM_TEXEL(glass_texture_2, at);
+    path_3 = IM_TEXEL(glass_texture_3, at);
+    path_4 = IM_TEXEL(glass_texture_4, at);
 }
 #else
 void main() {

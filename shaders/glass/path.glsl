@@ -23,8 +23,8 @@ uniform sampler2D glass_texture_3;
 
 Path load_path() {
     ivec2 at = ivec2(pixel_centre);
-    vec4 a = texelFetch(glass_texture_0, at, 0), b = texelFetch(glass_texture_1, at, 0);
-    vec4 c = texelFetch(glass_texture_2, at, 0), d = texelFetch(glass_texture_3, at, 0);
+    vec4 a = IM_TEXEL(glass_texture_0, at), b = IM_TEXEL(glass_texture_1, at);
+    vec4 c = IM_TEXEL(glass_texture_2, at), d = IM_TEXEL(glass_texture_3, at);
     return Path(a.xyz, int(a.w), b.xyz, int(b.w), c.w, c.xyz, d.xyz);
 }
 

@@ -6,8 +6,8 @@ uniform sampler2D surface_texture_4; // see bounds.glsl
 
 void main() {
     ivec2 at = ivec2(pixel_centre);
-    vec4 end = texelFetch(surface_texture_3, at, 0), begin = texelFetch(surface_texture_4, at, 0);
-    int verdict = int(texelFetch(surface_texture_1, at, 0).w) & 7;
+    vec4 end = IM_TEXEL(surface_texture_3, at), begin = IM_TEXEL(surface_texture_4, at);
+    int verdict = int(IM_TEXEL(surface_texture_1, at).w) & 7;
     bool is_in_glass = begin.y > 0.0 && begin.x < end.x;
     gl_FragDepth = int(end.z) == SURFACE && (on_surface(verdict) || is_in_glass) ? 1.0 : 0.0;
 }

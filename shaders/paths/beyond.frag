@@ -5,7 +5,7 @@ layout(location = 0) out vec4 beyond; // 1 + index
 void main() {
     SurfacePoint p = load_surface();
     if (!is_on_surface(p)) discard;
-    int on = int(texelFetch(surface_texture_3, ivec2(pixel_centre), 0).z);
+    int on = int(IM_TEXEL(surface_texture_3, ivec2(pixel_centre)).z);
     bool is_there;
     if (on == SURFACE && p.steepness >= 0.0) { // not at its bounds
         is_there = !p.inside;

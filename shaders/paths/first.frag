@@ -6,7 +6,7 @@ uniform vec4 surface_way;            // see surfaces/way.glsl
 
 void main() {
     ivec2 at = ivec2(pixel_centre);
-    vec4 end = texelFetch(surface_texture_3, at, 0), begin = texelFetch(surface_texture_4, at, 0);
+    vec4 end = IM_TEXEL(surface_texture_3, at), begin = IM_TEXEL(surface_texture_4, at);
     Ray ray = pixel_ray();
     SurfacePoint p = load_surface();
     Path path = Path(vec3(0.0), PATH_ENDED, ray.direction, 0, 0.0, vec3(1.0), vec3(0.0), rays_left, 0,

@@ -7,7 +7,7 @@
 uniform sampler2D beyond_texture; // see beyond.frag
 
 int matter_beyond() {
-    return int(texelFetch(beyond_texture, ivec2(pixel_centre), 0).x) - 1;
+    return int(IM_TEXEL(beyond_texture, ivec2(pixel_centre)).x) - 1;
 }
 
 Path meet(Path path, SurfacePoint p, float way, bool is_first) {

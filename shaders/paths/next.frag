@@ -1,7 +1,7 @@
 // Continues the paths whose rays ended on this surface, and on the first surface also those that
 // met none. Runs for paths that go on. A path ends after MOST_CROSSINGS crossings of bounds.
 void main() {
-    vec4 end = texelFetch(surface_texture_3, ivec2(pixel_centre), 0);
+    vec4 end = IM_TEXEL(surface_texture_3, ivec2(pixel_centre));
     if (int(end.z) != SURFACE) discard;
     Path path = load_path();
     SurfacePoint p = load_surface();

@@ -8,7 +8,7 @@ uniform float beyond;              // to prove behind another surface, where its
 
 void main() {
     ivec2 at = ivec2(pixel_centre);
-    float way = texelFetch(way_to_end, at, 0).x;
+    float way = IM_TEXEL(way_to_end, at).x;
     Ray ray = pixel_ray();
 #if SURFACE == 0
     float t = way; // to the bit, whatever a driver makes of a quotient by 1
@@ -16,7 +16,7 @@ void main() {
     float t = (way - surface_way.y * ray.to_eye) / surface_way.x;
 #endif
     bool hits = abs(way) < ENDS_NOWHERE;
-    bool is_own = int(texelFetch(surface_of_end, at, 0).x) == SURFACE + 1;
+    bool is_own = int(IM_TEXEL(surface_of_end, at).x) == SURFACE + 1;
     ending = vec4(!hits ? way : is_own ? t : ENDS_NOWHERE, hits && !is_own ? t + beyond : ENDS_NOWHERE, 0.0,
                   0.0);
 }

@@ -59,7 +59,7 @@ void write_channels(Ray ray, Hit hit, int verdict) {
 #elif defined(DRAWS_AT_ONCE)
     float t = shared_way(ray, hit.t);
 #else
-    float t = texelFetch(surface_texture_3, ivec2(pixel_centre), 0).x;
+    float t = IM_TEXEL(surface_texture_3, ivec2(pixel_centre)).x;
 #endif
     ending_out = on_surface(verdict) ? t : verdict == VERDICT_MISS ? ENDS_NOWHERE : ENDS_UNKNOWN;
 #endif

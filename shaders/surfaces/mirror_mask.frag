@@ -5,7 +5,7 @@ uniform sampler2D surface_texture_3;
 
 void main() {
     ivec2 at = ivec2(pixel_centre);
-    int k = int(texelFetch(surface_texture_3, at, 0).z);
-    int verdict = int(texelFetch(surface_texture_1, at, 0).w) & 7;
+    int k = int(IM_TEXEL(surface_texture_3, at).z);
+    int verdict = int(IM_TEXEL(surface_texture_1, at).w) & 7;
     gl_FragDepth = on_surface(verdict) && ((MIRRORS >> k) & 1) != 0 ? 1.0 : 0.0;
 }

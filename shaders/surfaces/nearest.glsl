@@ -30,7 +30,7 @@ void keep_nearest(Ray ray, RayState s) {
     int verdict = int(record & 7u), verdict_before = int(before & 7u);
     bool is_nearer = way < NO_END && way < others - least_nearer(ray_point(ray, s.low));
     if (!is_nearer) {
-        color = texelFetch(before_texture_0, at, 0);
+        color = IM_TEXEL(before_texture_0, at);
         way = others;
         keep_channels(at);
     }

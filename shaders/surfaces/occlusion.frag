@@ -33,7 +33,7 @@ float openness_by(SurfacePoint p, bool is_own) {
 
 void main() {
     SurfacePoint p = load_surface();
-    bool is_own = int(texelFetch(surface_texture_3, ivec2(pixel_centre), 0).z) == SURFACE;
+    bool is_own = int(IM_TEXEL(surface_texture_3, ivec2(pixel_centre)).z) == SURFACE;
     float all = open_before();
     if (is_on_surface(p)) all = min(all, openness_by(p, is_own));
     open = vec4(all, 0.0, 0.0, 0.0);

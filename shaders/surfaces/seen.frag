@@ -6,7 +6,7 @@ uniform sampler2D mirrored_texture_3;
 
 void main() {
     SurfacePoint q = load_mirrored();
-    bool is_own = int(texelFetch(mirrored_texture_3, ivec2(pixel_centre), 0).z) == SURFACE;
+    bool is_own = int(IM_TEXEL(mirrored_texture_3, ivec2(pixel_centre)).z) == SURFACE;
     if (!is_own || !(is_on_surface(q) || q.on_ground)) discard;
 #ifdef FOLLOWS_PATHS
     seen = vec4(seen_again(q, hit_of(q), load_path().direction), shadows_here());

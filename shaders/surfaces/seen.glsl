@@ -2,5 +2,5 @@
 uniform sampler2D seen_texture;
 
 vec4 seen_in_mirror() {
-    return texelFetch(seen_texture, ivec2(pixel_centre), 0);
+    return IM_TEXEL(seen_texture, ivec2(pixel_centre));
 }

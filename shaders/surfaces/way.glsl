@@ -24,13 +24,13 @@ layout(location = WAY_LOCATION) out float way;
 uniform sampler2D way_texture;
 
 float way_before() {
-    return texelFetch(way_texture, ivec2(pixel_centre), 0).x;
+    return IM_TEXEL(way_texture, ivec2(pixel_centre)).x;
 }
 #else
 uniform sampler2D surface_texture_3;
 
 float way_before() {
-    return texelFetch(surface_texture_3, ivec2(pixel_centre), 0).x;
+    return IM_TEXEL(surface_texture_3, ivec2(pixel_centre)).x;
 }
 #endif
 #endif

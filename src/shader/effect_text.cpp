@@ -156,7 +156,7 @@ void add_effects(ShaderText& text, const scene::OneSurface& one, bool in_mirror)
 // further_record(): what further rays took, as shaders/shade/hit.glsl packs it.
 std::string further_record(const scene::OneSurface& one) {
     const auto texel = [](const char* texture) {
-        return fmt::format("texelFetch({}, ivec2(pixel_centre), 0)", texture);
+        return fmt::format("IM_TEXEL({}, ivec2(pixel_centre))", texture);
     };
     std::vector<std::string> shadows; // evaluations and rays undecided, as vec2
     if (shadow_mask(one.scene) != 0) shadows.push_back(texel("shadow_texture") + ".zw");

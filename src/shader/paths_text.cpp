@@ -154,8 +154,8 @@ Pass seen_by_paths_pass(const scene::OneSurface& one, const PassPlan& plan) {
     text.generated("generated: what shadow rays took",
                    fmt::format("float shadows_here() {{\n    return {};\n}}\n",
                                shadow_mask(one.scene) != 0
-                                   ? "packed_shadows(texelFetch(shadow_texture, "
-                                     "ivec2(pixel_centre), 0))"
+                                   ? "packed_shadows(IM_TEXEL(shadow_texture, "
+                                     "ivec2(pixel_centre)))"
                                    : "0.0"));
     text.file("surfaces/seen.frag");
     return std::move(text).pass(Role::seen, "seen", When::once_a_tile);
@@ -178,8 +178,8 @@ void add_begin_of_path(ShaderText& text, const scene::OneSurface& one) {
                    one.index == 0
                        ? "vec4 begin_before() {\n    return vec4(NO_END, 0.0, 0.0, 0.0);\n}\n"
                        : "uniform sampler2D surface_texture_4;\n"
-                         "vec4 begin_before() {\n    return texelFetch(surface_texture_4, "
-                         "ivec2(pixel_centre), 0);\n}\n");
+                         "vec4 begin_before() {\n    return IM_TEXEL(surface_texture_4, "
+                         "ivec2(pixel_centre));\n}\n");
     text.define(Feature::begins_paths);
     text.file("paths/bounds.glsl");
 }

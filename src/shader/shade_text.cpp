@@ -47,8 +47,8 @@ void add_channels(ShaderText& text, const scene::OneSurface& one,
         if (!contains(written, to.channel)) continue;
         text.define(to.location, location);
         samplers += fmt::format("uniform sampler2D before_texture_{};\n", location);
-        kept += fmt::format("    {} = texelFetch(before_texture_{}, at, 0){};\n", to.output,
-                            location, to.channel == Channel::ending ? ".x" : "");
+        kept += fmt::format("    {} = IM_TEXEL(before_texture_{}, at){};\n", to.output, location,
+                            to.channel == Channel::ending ? ".x" : "");
         ++location;
     }
     text.file("shade/channels.glsl");

@@ -41,8 +41,8 @@ void add_store_nearest(ShaderText& text, const scene::OneSurface& one, Origin or
         std::string samplers, reads;
         for (int k = 0; k < 4; ++k) {
             samplers += fmt::format("uniform sampler2D {}_texture_{};\n", kind, k);
-            reads += fmt::format("    if (k == {0}) return texelFetch({1}_texture_{0}, "
-                                 "ivec2(pixel_centre), 0);\n",
+            reads += fmt::format("    if (k == {0}) return IM_TEXEL({1}_texture_{0}, "
+                                 "ivec2(pixel_centre));\n",
                                  k, kind);
         }
         // Mirrored rays have declared none of these.
@@ -76,8 +76,8 @@ Pass occlusion_pass(const scene::OneSurface& one, const PassPlan& plan) {
     text.generated("generated: what the surfaces before leave",
                    one.index == 0 ? "float open_before() {\n    return 1.0;\n}\n"
                                   : "uniform sampler2D occlusion_texture;\n"
-                                    "float open_before() {\n    return texelFetch("
-                                    "occlusion_texture, ivec2(pixel_centre), 0).x;\n}\n");
+                                    "float open_before() {\n    return IM_TEXEL("
+                                    "occlusion_texture, ivec2(pixel_centre)).x;\n}\n");
     text.file("surfaces/occlusion.frag");
     return std::move(text).pass(Role::occlusion, "occlusion", When::once_a_tile);
 }
