@@ -16,8 +16,10 @@ ParticleTable read_npy(const Bytes& bytes, const ParticleRequest& request);
 ParticleTable read_vtk(const Bytes& bytes, const ParticleRequest& request);
 // The points of VTK's XML: unstructured grids and poly data.
 ParticleTable read_vtu(const Bytes& bytes, const ParticleRequest& request);
-// A count, a comment line, then lines of a symbol and numbers.
+// A count, a comment line, then lines of a symbol and numbers; the same again for every other time.
 ParticleTable read_xyz(const Bytes& bytes, const ParticleRequest& request);
+// Atoms of the Protein Data Bank's format; every model is a time.
+ParticleTable read_pdb(const Bytes& bytes, const ParticleRequest& request);
 // Lines of numbers separated by blanks.
 ParticleTable read_rows(const Bytes& bytes, const ParticleRequest& request);
 // A header of names, then numbers separated by commas.

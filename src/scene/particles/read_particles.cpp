@@ -26,6 +26,7 @@ Reader reader_of_text(const std::filesystem::path& file) {
         return 'A' <= c && c <= 'Z' ? char(c - 'A' + 'a') : char(c);
     });
     if (extension == ".xyz") return read_xyz;
+    if (extension == ".pdb" || extension == ".ent") return read_pdb;
     for (const char* rows : {".txt", ".dat", ".pts", ".asc"}) {
         if (extension == rows) return read_rows;
     }
@@ -57,12 +58,18 @@ Reader reader_of(std::string_view bytes, const ParticleRequest& request) {
               "\x7fNSJ", "is a BGEO of Houdini 12 or later; write .bhclassic, or PLY"),
           {"scf1", "is packed by Blosc (.sc); write it unpacked, or by gzip"},
           {"PK\x03\x04", "is a zip, as .npz; store one array with numpy.save"},
-          {"\x89HDF", "is HDF5; store PLY, VTK or NPY"}}) {
+          {"\x89HDF", "is HDF5; store PLY, VTK or NPY"},
+          {" BDV", "is OpenVDB; its grids are not read"},
+          {"ITEM: ", "is a dump of LAMMPS; write it as XYZ or CSV"},
+          {"data_", "is CIF; write it as PDB or XYZ"}}) {
         if (bytes.starts_with(begin)) fail_of_file(request, what);
     }
     if (bytes.substr(0, 1 << 16).find('\0') != bytes.npos) {
         fail_of_file(request, "is no format that is read: BGEO (version V), PLY, NPY, legacy VTK, "
-                              "VTU, CSV or XYZ");
+                              "VTU, CSV, XYZ or PDB");
+    }
+    for (const char* record : {"HEADER    ", "CRYST1", "ATOM  ", "HETATM"}) {
+        if (text.starts_with(record)) return read_pdb;
     }
     const Reader reader = reader_of_text(request.file);
     if (reader == read_xyz && !begins_with_a_count(text)) return read_rows;
@@ -117,7 +124,7 @@ std::size_t count_particles(const std::filesystem::path& file, const base::Confi
     if (is_gzip(bytes)) bytes = gunzip(request, bytes, beginning);
     const bool is_whole = bytes.size() < beginning;
     const Reader reader = bytes.empty() ? read_csv : reader_of(bytes, request);
-    const bool counts_lines = reader == read_csv || reader == read_rows;
+    const bool counts_lines = reader == read_csv || reader == read_rows || reader == read_pdb;
     if (is_whole || !counts_lines) {
         try {
             return reader(std::make_shared<const std::string>(std::move(bytes)), request).count;

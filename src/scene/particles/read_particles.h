@@ -1,8 +1,8 @@
 // Reads particles from a file of any format and detects the format by the content.
 //
-// The first bytes identify BGEO, PLY, NPY and VTK, packed by gzip or not. For other texts the name
-// decides: .xyz is XYZ; .txt, .dat, .pts and .asc are rows of numbers; all others are CSV (.gz may
-// follow).
+// The first bytes identify BGEO, PLY, NPY, VTK and most of PDB, packed by gzip or not. For other
+// texts the name decides: .xyz is XYZ; .pdb and .ent are PDB; .txt, .dat, .pts and .asc are rows of
+// numbers; all others are CSV (.gz may follow).
 #pragma once
 
 #include "scene/particles/particle_table.h"

@@ -79,13 +79,18 @@ std::string_view Words::need(std::string_view what) {
     return word;
 }
 
-std::optional<std::string_view> Words::rest_of_line() {
+std::optional<std::string_view> Words::line_as_it_is() {
     begin_at(at_);
     if (at_ >= text_.size()) return std::nullopt;
     const std::size_t end = std::min(text_.find('\n', at_), text_.size());
-    const std::string_view line = trimmed(text_.substr(at_, end - at_));
+    const std::string_view line = text_.substr(at_, end - at_);
     at_ = std::min(end + 1, text_.size());
     return line;
+}
+
+std::optional<std::string_view> Words::rest_of_line() {
+    const auto line = line_as_it_is();
+    return line ? std::optional(trimmed(*line)) : std::nullopt;
 }
 
 std::string_view Words::take(std::size_t count, std::string_view what) {

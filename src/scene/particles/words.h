@@ -21,7 +21,9 @@ public:
     bool meets(std::string_view word);
     // The next word; fails at the end: "the file ends before `what`".
     std::string_view need(std::string_view what);
-    // The remainder of the line, without blanks around it; none at the end of the text.
+    // The remainder of the line, with its blanks, or without blanks around it; none at the end of
+    // the text.
+    std::optional<std::string_view> line_as_it_is();
     std::optional<std::string_view> rest_of_line();
     // Raw bytes.
     std::string_view take(std::size_t count, std::string_view what);

@@ -1,80 +1,121 @@
 #include <algorithm>
+#include <charconv>
 
 #include <fmt/format.h>
 
-#include "scene/limits.h"
+#include "scene/particles/atom_rows.h"
 #include "scene/particles/attribute_names.h"
+#include "scene/particles/chemical_elements.h"
 #include "scene/particles/formats.h"
-#include "scene/particles/words.h"
 
 namespace isomotion::scene {
 namespace {
 
-std::vector<std::string_view> cells_of(std::string_view line) {
-    std::vector<std::string_view> cells;
-    for (std::size_t at = 0; cells.size() <= std::size_t(limits::fields);) {
-        at = line.find_first_not_of(" \t\r", at);
-        if (at == line.npos) break;
-        const std::size_t end = std::min(line.find_first_of(" \t\r", at), line.size());
-        cells.push_back(line.substr(at, end - at));
-        at = end;
-    }
-    return cells;
-}
-
 bool is_number(std::string_view cell) { return number_of(cell).wrong.empty(); }
 
-// Rows of as many cells as the first has; what is left out before the numbers is a symbol.
-class RowReader {
-public:
-    RowReader(const ParticleRequest& request, Words& words, ParticleTable& table)
-        : request_(request)
-        , words_(words)
-        , table_(table) {}
-
-    void begin(const std::vector<std::string_view>& cells, bool has_symbol, std::size_t count) {
-        symbols_ = has_symbol ? 1 : 0;
-        if (cells.size() <= symbols_) words_.fail("has no numbers");
-        names_ = names_without_names(cells.size() - symbols_);
-        wanted_ = wanted_of(request_, table_.format, names_, count);
-        values_.resize(names_.size());
-    }
-    bool has_begun() const { return !names_.empty(); }
-
-    void add(const std::vector<std::string_view>& cells) {
-        if (cells.size() != names_.size() + symbols_) {
-            words_.fail(fmt::format("has {} words; the rows before have {}", cells.size(),
-                                    names_.size() + symbols_));
-        }
-        table_.lines.push_back(words_.line());
-        for (std::size_t k = 0; k < names_.size(); ++k) {
-            if (wanted_.columns[k])
-                values_[k].push_back(words_.number(cells[k + symbols_], names_[k]));
-        }
-    }
-
-    void end() {
-        table_.count = table_.lines.size();
-        for (std::size_t k = 0; k < names_.size(); ++k)
-            table_.columns.push_back({names_[k], std::move(values_[k])});
-    }
-
-private:
-    const ParticleRequest& request_;
-    Words& words_;
-    ParticleTable& table_;
-    std::size_t symbols_ = 0;
-    std::vector<std::string> names_;
-    Wanted wanted_;
-    std::vector<std::vector<double>> values_;
-};
-
-// The next line that says something; a comment begins with #.
-std::optional<std::string_view> next_row(Words& words) {
+// The next line that says something; empty at the end of the text. A comment begins with #.
+std::string_view next_row(Words& words) {
     for (;;) {
         const auto line = words.rest_of_line();
-        if (!line) return std::nullopt;
-        if (!line->empty() && line->front() != '#') return line;
+        if (!line) return {};
+        if (!line->empty() && line->front() != '#') return *line;
+    }
+}
+
+// A count alone in its line.
+std::optional<std::size_t> count_in(std::string_view line) {
+    std::size_t count = 0;
+    const char* end = line.data() + line.size();
+    const auto [at, error] = std::from_chars(line.data(), end, count);
+    return error == std::errc() && at == end && !line.empty() ? std::optional(count) : std::nullopt;
+}
+
+// How many frames a text has, and how many particles all of them say that they have.
+struct Extent {
+    int frames = 0;
+    std::size_t particles = 0;
+};
+
+Extent extent_of(const ParticleRequest& request, std::string_view text) {
+    Words words(request, text);
+    Extent found;
+    for (;;) {
+        const auto count = count_in(next_row(words));
+        if (!count) break;
+        ++found.frames;
+        found.particles += std::min(*count, text.size());
+        words.rest_of_line(); // a comment
+        for (std::size_t row = 0; row < *count && words.rest_of_line(); ++row)
+            ;
+    }
+    return found;
+}
+
+// The columns that the comment of an extended XYZ states, "Properties=species:S:1:pos:R:3"; none if
+// it states none.
+std::optional<RowLayout> stated_layout(std::string_view comment) {
+    constexpr std::string_view key = "Properties=";
+    const std::size_t begin = comment.find(key);
+    if (begin == comment.npos) return std::nullopt;
+    std::string_view text = comment.substr(begin + key.size());
+    if (text.starts_with('"')) text.remove_prefix(1);
+    text = text.substr(0, std::min(text.find_first_of("\" \t\r"), text.size()));
+    RowLayout layout;
+    const auto next = [&] {
+        const std::size_t end = std::min(text.find(':'), text.size());
+        const std::string_view part = text.substr(0, end);
+        text.remove_prefix(std::min(end + 1, text.size()));
+        return part;
+    };
+    while (!text.empty()) {
+        const std::string_view name = next(), type = next();
+        const std::size_t count = count_in(next()).value_or(0);
+        if (name.empty() || type.size() != 1 || count == 0 || count > 100) return std::nullopt;
+        if (type == "R" || type == "I") {
+            add_names(layout.names, name == "velo" ? "velocity" : name, count);
+            for (std::size_t k = 0; k < count; ++k) layout.cells.push_back(layout.width + k);
+        } else if (name == "species") {
+            layout.element = layout.width;
+        }
+        layout.width += count;
+    }
+    if (layout.names.empty()) return std::nullopt;
+    return layout;
+}
+
+// A symbol before the numbers, or an element's number before three.
+RowLayout layout_of(const Words& words, const std::vector<std::string_view>& cells) {
+    const bool has_symbol = !is_number(cells[0]) || cells.size() == 4;
+    if (has_symbol && cells.size() == 1) words.fail("has no numbers");
+    RowLayout layout = layout_without_names(cells.size(), has_symbol ? 1 : 0);
+    if (has_symbol && atomic_number(cells[0]) > 0) layout.element = 0;
+    return layout;
+}
+
+// Reads the rows of one time. `many`: the file has several.
+void read_frame(Words& words, AtomRows& rows, int frame, bool many, std::size_t most) {
+    const std::size_t count = count_in(next_row(words)).value_or(0);
+    const std::string says = words.line() == 1 ? std::string("first line")
+                                               : fmt::format("count in line {}", words.line());
+    const auto comment = words.rest_of_line().value_or("");
+    if (count == 0 && many) {
+        if (!rows.has_begun())
+            words.fail("the first frame has no particle; it must tell what columns there are");
+        rows.add_none(frame);
+    }
+    for (std::size_t row = 0; row < count; ++row) {
+        const auto next = words.rest_of_line();
+        if (!next || next->empty()) {
+            words.fail(fmt::format("the {} says that there are {} particles; {} are here", says,
+                                   count, row));
+        }
+        const auto cells = cells_of(*next);
+        if (!rows.has_begun()) {
+            RowLayout layout = stated_layout(comment).value_or(layout_of(words, cells));
+            layout.has_frames = many;
+            rows.begin(std::move(layout), std::max(most, count));
+        }
+        rows.add(cells, frame);
     }
 }
 
@@ -85,27 +126,18 @@ ParticleTable read_xyz(const Bytes& bytes, const ParticleRequest& request) {
     ParticleTable table;
     table.format = "XYZ";
     table.count = words.count("the number of particles in the first line");
-    if (const auto rest = words.rest_of_line(); rest && !rest->empty())
+    if (!words.rest_of_line().value_or("").empty())
         words.fail("the first line has more than the number of particles");
     if (request.count_alone) return table;
-    words.rest_of_line(); // a comment
-    const std::size_t count = table.count;
-    RowReader rows(request, words, table);
-    for (std::size_t row = 0; row < count; ++row) {
-        const auto line = words.rest_of_line();
-        if (!line || line->empty()) {
-            words.fail(fmt::format("the first line says that there are {} particles; {} are here",
-                                   count, row));
-        }
-        const auto cells = cells_of(*line);
-        // An element's number may stand for its symbol.
-        if (row == 0) rows.begin(cells, !is_number(cells[0]) || cells.size() == 4, count);
-        rows.add(cells);
-    }
-    if (next_row(words)) {
-        words.fail(fmt::format("follows the {} particles of the first line; a file holds those of "
-                               "one time",
-                               count));
+    const Extent extent = extent_of(request, *bytes);
+    Words all(request, *bytes);
+    AtomRows rows(request, all, table);
+    for (int frame = 1; frame == 1 || frame <= extent.frames; ++frame)
+        read_frame(all, rows, frame, extent.frames > 1, extent.particles);
+    if (!next_row(all).empty()) {
+        all.fail(fmt::format("follows the {} particles that the file has so far; those of another "
+                             "time begin with their count",
+                             extent.particles));
     }
     rows.end();
     return table;
@@ -120,18 +152,19 @@ ParticleTable read_rows(const Bytes& bytes, const ParticleRequest& request) {
     const bool ends = bytes->empty() || bytes->back() == '\n';
     const auto lines = std::size_t(std::ranges::count(*bytes, '\n')) + (ends ? 0 : 1);
     if (request.count_alone) {
-        while (next_row(words)) ++table.count;
+        while (!next_row(words).empty()) ++table.count;
         return table;
     }
-    RowReader rows(request, words, table);
-    std::size_t blank = 0; // lines that are no rows, before the first
+    AtomRows rows(request, words, table);
     for (;;) {
-        const auto line = next_row(words);
-        if (!line) break;
-        const auto cells = cells_of(*line);
+        const auto cells = cells_of(next_row(words));
+        if (cells.empty()) break;
         if (!rows.has_begun()) {
-            blank = std::size_t(words.line()) - 1;
-            rows.begin(cells, !is_number(cells[0]), lines - std::min(lines, blank));
+            const bool has_symbol = !is_number(cells[0]);
+            if (has_symbol && cells.size() == 1) words.fail("has no numbers");
+            const auto before = std::size_t(words.line()) - 1; // lines that are no rows
+            rows.begin(layout_without_names(cells.size(), has_symbol ? 1 : 0),
+                       lines - std::min(lines, before));
         }
         rows.add(cells);
     }

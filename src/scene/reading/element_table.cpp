@@ -16,6 +16,11 @@
 namespace isomotion::scene {
 namespace {
 
+// Whether a column of the format may tell the time of a row.
+bool tells_times(std::string_view format) {
+    return format == "CSV" || format.starts_with("NPY") || format == "XYZ" || format == "PDB";
+}
+
 // Makes samples of the rows of one file.
 class RowsInTime {
 public:
@@ -219,8 +224,7 @@ std::vector<ElementTable> read_rows_in_time(std::span<const TableOptions> option
     request.choose = [&](const std::string& format, const std::vector<std::string>& names) {
         wanted = {std::vector<bool>(names.size()), 0, budget.values, {}, 0};
         for (const TableOptions& asked : options) {
-            const Part& part =
-                parts.emplace_back(asked, names, format == "CSV" || format.starts_with("NPY"));
+            const Part& part = parts.emplace_back(asked, names, tells_times(format));
             wanted.most = std::max(wanted.most, part.moves() ? std::size_t(limits::table_values)
                                                              : std::size_t(asked.most));
             wanted.time = part.choice.time_column;
@@ -280,7 +284,12 @@ ElementTable read_frames(const TableOptions& options, const animation::Timeline&
     ParticleRequest request;
     request.file = files.files.front();
     request.within = options.within;
-    request.choose = [&](const std::string&, const std::vector<std::string>& names) {
+    request.choose = [&](const std::string& format, const std::vector<std::string>& names) {
+        if ((format == "XYZ" || format == "PDB") && find_column(names, "frame")) {
+            throw NamedColumn{"frame",
+                              "the file holds several times, and so does `file`, which names "
+                              "one file for each frame; name this one alone"};
+        }
         const ColumnChoice choice = choose_columns(names, options.columns, false);
         SampledColumns columns = sampled_columns(choice, names, options.interpolation);
         rule = rule_of(options.interpolation, columns);

@@ -17,6 +17,7 @@
 #include "scene/reading/mathmod_json.h"
 #include "scene/reading/mathmod_values.h"
 #include "scene/reading/toml_lines.h"
+#include "scene/srgb.h"
 #include "scene/surfaces.h"
 
 namespace isomotion::scene {
@@ -253,7 +254,7 @@ private:
     }
 
     void take_names(const Part& part) {
-        parameters_.insert(part.parameters.begin(), part.parameters.end());
+        parameters_.merge(values_.parameters_of(part));
         moves_ |= part.inputs.test(Part::t);
     }
 

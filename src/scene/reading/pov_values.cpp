@@ -12,13 +12,12 @@
 #include "scene/reading/pov_colors.h"
 #include "scene/reading/pov_functions.h"
 #include "scene/reading/toml_lines.h"
+#include "scene/srgb.h"
 
 namespace isomotion::scene {
 namespace {
 
 using Strength = PovNumber::Strength;
-
-constexpr int deepest = 60; // parentheses and calls in one another
 
 std::string held(const PovNumber& number, Strength least) {
     return number.strength < least ? fmt::format("({})", number.text) : number.text;
@@ -48,25 +47,6 @@ PovNumber word_of(const char* text) { return {text, Strength::atom, std::nullopt
 bool is_value_ahead(const PovWord& word) {
     return word.kind == PovWord::Kind::number || word.kind == PovWord::Kind::name || word.is("(");
 }
-
-// Counts what is being read within what.
-class Depth {
-public:
-    Depth(int& depth, const PovCursor& at, const std::string& for_what)
-        : depth_(depth) {
-        if (++depth_ > deepest) {
-            --depth_;
-            at.fail(for_what,
-                    fmt::format("more than {} parentheses and calls in one another", deepest));
-        }
-    }
-    ~Depth() { --depth_; }
-    Depth(const Depth&) = delete;
-    Depth& operator=(const Depth&) = delete;
-
-private:
-    int& depth_;
-};
 
 } // namespace
 
@@ -145,17 +125,44 @@ bool PovValues::declare(const std::string& name, PovCursor& at) {
     PovValue declared = value(at, "#declare " + name);
     at.take_if(";");
     if (declared.size() == 1 && !is_taken(name)) {
-        std::erase_if(parameters_, [&](const Parameter& known) { return known.name == name; });
-        parameters_.push_back({name, declared[0].text, line});
-        declared[0].text = name;
+        const std::string parameter = parameter_of(name);
+        parameters_.push_back({parameter, declared[0].text, line});
+        declared[0].text = parameter;
         declared[0].strength = Strength::atom;
     }
-    values_[name] = std::move(declared);
+    declare(name, std::move(declared), at);
     return true;
 }
 
+// What was read before keeps the value that the name had then.
+void PovValues::declare(const std::string& name, PovValue value, const PovCursor& at) {
+    if (++meaning_.declared > most_declared)
+        at.fail("#declare " + name, fmt::format("more than {} values", most_declared));
+    values_[name].push_back({meaning_.declared, std::move(value)});
+}
+
+// A name that is declared again is another parameter.
+std::string PovValues::parameter_of(const std::string& name) const {
+    const auto known = values_.find(name);
+    std::size_t times = known == values_.end() ? 0 : known->second.size();
+    std::string parameter = name;
+    const auto is_used = [&] {
+        return times > 0 && (parameter == name || values_.contains(parameter));
+    };
+    while (is_used()) parameter = fmt::format("{}_{}", name, ++times);
+    return parameter;
+}
+
+const PovValue* PovValues::known(const std::string& name) const {
+    const auto found = values_.find(name);
+    if (found == values_.end()) return nullptr;
+    const auto later =
+        std::ranges::upper_bound(found->second, meaning_.declared, {}, &Declared::when);
+    return later == found->second.begin() ? nullptr : &std::prev(later)->value;
+}
+
 void PovValues::declare_function(const std::string& name, PovCursor& at) {
-    Function function{{"x", "y", "z"}, 0};
+    Function function{{"x", "y", "z"}, 0, meaning_.declared};
     if (at.take_if("(")) {
         function.arguments.clear();
         while (!at.now().is(")")) {
@@ -209,15 +216,11 @@ double PovValues::constant(PovCursor& at, std::string_view for_what) {
 PovNumber PovValues::function(PovCursor& at) {
     at.expect("{", "function");
     const Arguments coordinates{{"x", word_of("x")}, {"y", word_of("z")}, {"z", word_of("y")}};
-    arguments_ = &coordinates;
     PovNumber body;
-    try {
+    {
+        const Meaning within(*this, {&coordinates, meaning_.declared});
         body = number(at, "function");
-    } catch (...) {
-        arguments_ = nullptr;
-        throw;
     }
-    arguments_ = nullptr;
     at.expect("}", "function");
     return body;
 }
@@ -227,7 +230,7 @@ void PovValues::expect_short(const PovValue& value, const PovCursor& at) const {
 }
 
 PovValue PovValues::sum(PovCursor& at) {
-    const Depth within(depth_, at, for_what_);
+    const PovDepth within(depth_, at, for_what_);
     PovValue all = product(at);
     while (at.now().is("+") || at.now().is("-")) {
         const char sign = at.take().text[0];
@@ -267,6 +270,7 @@ PovValue PovValues::signed_value(PovCursor& at) {
 PovValue PovValues::power(PovCursor& at) {
     PovValue base = part(at);
     if (!at.take_if("^")) return base;
+    const PovDepth within(depth_, at, for_what_);
     return joined(base, '^', signed_value(at));
 }
 
@@ -309,6 +313,7 @@ PovValue PovValues::part(PovCursor& at) {
 
 // After "color" or on their own: red 1 green 0.5, each part that is left out 0; or rgb <...>.
 PovValue PovValues::color(PovCursor& at) {
+    const PovDepth within(depth_, at, for_what_);
     const std::string name = at.now().text;
     if (pov_color_part(name) >= 0) {
         PovValue parts(5, PovNumber::of(0));
@@ -325,6 +330,7 @@ PovValue PovValues::color(PovCursor& at) {
     PovValue read = is_any ? signed_value(at) : part(at);
     // One number stands for all parts.
     if (read.size() == 1) read.resize(is_any || name == "rgb" || name == "srgb" ? 3 : 4, read[0]);
+    if (name == "rgbt" && read.size() == 4) read.insert(read.begin() + 3, PovNumber::of(0));
     if (name != "srgb") return read;
     const auto still = read.size() < 3 ? std::nullopt : still_vector(read);
     if (!still) at.fail("srgb", "needs three numbers that do not move");
@@ -334,9 +340,9 @@ PovValue PovValues::color(PovCursor& at) {
 
 PovValue PovValues::named(PovCursor& at) {
     const std::string name = at.now().text;
-    if (!arguments_ && is_pov_color_word(name)) return color(at);
-    if (arguments_) {
-        if (const auto found = arguments_->find(name); found != arguments_->end()) {
+    if (!meaning_.arguments && is_pov_color_word(name)) return color(at);
+    if (meaning_.arguments) {
+        if (const auto found = meaning_.arguments->find(name); found != meaning_.arguments->end()) {
             at.take();
             return {found->second};
         }
@@ -346,11 +352,11 @@ PovValue PovValues::named(PovCursor& at) {
         return call(at, name);
     }
     at.take();
-    if (const auto found = values_.find(name); found != values_.end()) return found->second;
+    if (const PovValue* value = known(name)) return *value;
     const PovNumber zero = PovNumber::of(0), one = PovNumber::of(1);
-    if (!arguments_ && name == "x") return {one, zero, zero};
-    if (!arguments_ && name == "y") return {zero, one, zero};
-    if (!arguments_ && name == "z") return {zero, zero, one};
+    if (!meaning_.arguments && name == "x") return {one, zero, zero};
+    if (!meaning_.arguments && name == "y") return {zero, one, zero};
+    if (!meaning_.arguments && name == "z") return {zero, zero, one};
     if (name == "pi") return {PovNumber{"pi", Strength::atom, std::numbers::pi}};
     if (name == "clock") return {word_of("clock")};
     if (name == "on" || name == "yes" || name == "true") return {one};
@@ -364,7 +370,7 @@ PovValue PovValues::named(PovCursor& at) {
         return parts;
     }
     std::vector<std::string> names;
-    for (const auto& [declared, value] : values_) names.push_back(declared);
+    for (const auto& [declared, values] : values_) names.push_back(declared);
     const std::string near = base::nearest_name(name, names);
     at.fail(for_what_, near.empty() ? fmt::format("'{}' is not declared before", name)
                                     : fmt::format("'{}' is not declared before; did you mean '{}'?",
@@ -393,7 +399,7 @@ PovValue PovValues::call(PovCursor& at, const std::string& name) {
 }
 
 PovNumber PovValues::call_declared(PovCursor& at, const std::string& name) {
-    const Depth within(depth_, at, for_what_);
+    const PovDepth within(depth_, at, for_what_);
     const Function& function = functions_.at(name);
     at.take();
     at.take();
@@ -405,12 +411,11 @@ PovNumber PovValues::call_declared(PovCursor& at, const std::string& name) {
         given[function.arguments[k]] = one[0];
     }
     at.expect(")", name);
+    if (++calls_ > most_calls) at.fail(for_what_, fmt::format("more than {} calls", most_calls));
     const std::size_t behind = at.place();
-    const Arguments* outer = arguments_;
-    arguments_ = &given;
+    const Meaning there(*this, {&given, function.declared});
     at.go_to(function.body);
-    PovValue body = sum(at);
-    arguments_ = outer;
+    const PovValue body = sum(at);
     if (body.size() != 1 || !at.now().is("}")) at.fail(name, "must be one number");
     at.go_to(behind);
     return body[0];

@@ -14,6 +14,7 @@
 #include "scene/error.h"
 #include "scene/limits.h"
 #include "scene/reading/toml_lines.h"
+#include "scene/srgb.h"
 
 namespace isomotion::scene {
 namespace {

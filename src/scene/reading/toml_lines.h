@@ -30,8 +30,4 @@ std::string toml_text(const glm::dvec3& v);
 // Whether the name occurs as a whole word: a in "2a*x", not in "tan(x)".
 bool names_word(std::string_view text, std::string_view name);
 
-// Converts an sRGB component, from 0 to 1, or all three.
-double to_linear(double srgb);
-glm::dvec3 to_linear(const glm::dvec3& srgb);
-
 } // namespace isomotion::scene

@@ -227,7 +227,8 @@ TEST_F(ParticleFormats, CountsThatLieAreMistakes) {
     EXPECT_EQ(wrong("p.xyz", replaced(particles::xyz(cloud), "3\n", "4\n")),
               "p.xyz:6: the first line says that there are 4 particles; 3 are here");
     EXPECT_EQ(wrong("p.xyz", replaced(particles::xyz(cloud), "3\n", "2\n")),
-              "p.xyz:5: follows the 2 particles of the first line; a file holds those of one time");
+              "p.xyz:5: follows the 2 particles that the file has so far; those of another time "
+              "begin with their count");
     std::string bytes = particles::bgeo(cloud);
     bytes[9] = 0x7f;
     EXPECT_EQ(wrong("p", bytes), "p: says that it holds 2130706435 particles; there may be 1000");
