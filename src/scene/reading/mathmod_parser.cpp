@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 
 #include "base/nearest_name.h"
+#include "formula/graph/limits.h"
 #include "scene/reading/mathmod_functions.h"
 
 namespace isomotion::scene::mathmod {
@@ -324,7 +325,7 @@ private:
     Part as_named(const Part& part, const std::string& name) const {
         if (scope_.names_constants) return part;
         if (part.value) return number_part(*part.value);
-        if (!part.parameters.empty()) return part;
+        if (!scope_.values->parameters_of(part).empty()) return part;
         fail(fmt::format("'{}' depends on the place; limits are the same everywhere", name));
     }
     std::string hint(const std::string& name, bool is_call) const {
@@ -445,7 +446,6 @@ private:
         part.is_never_negative = defined.part.is_never_negative;
         part.may_jump |= defined.part.may_jump;
         part.names.insert(function);
-        part.parameters.insert(defined.part.parameters.begin(), defined.part.parameters.end());
         return part;
     }
 
@@ -459,6 +459,10 @@ private:
 } // namespace
 
 Part parsed(std::string_view text, const Scope& scope, const JsonPlace& at) {
+    if (text.size() > formula::limits::formula_bytes) {
+        at.fail(fmt::format("has {} bytes; a formula has at most {}", text.size(),
+                            formula::limits::formula_bytes));
+    }
     return Parser(text, scope, at).whole();
 }
 

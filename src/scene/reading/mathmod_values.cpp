@@ -125,6 +125,7 @@ void Values::add_variable(const std::string& name, std::string_view text, const 
         named.strength = Part::Strength::atom;
         named.is_condition = false;
         named.names = {k};
+        named.parameters.clear();
         named.depth = 1;
         named.inputs.reset(Part::u);
         named.inputs.set(input, depends);
@@ -157,13 +158,28 @@ Part Values::limit(std::string_view text, const JsonPlace& at) const {
     return part;
 }
 
-std::string Values::definitions_for(const Part& part) const {
+std::vector<bool> Values::needed_for(const Part& part) const {
     std::vector<bool> needed(definitions_.size());
     for (const std::size_t k : part.names) needed[k] = true;
     for (std::size_t k = definitions_.size(); k-- > 0;) {
         if (!needed[k]) continue;
         for (const std::size_t before : definitions_[k].part.names) needed[before] = true;
     }
+    return needed;
+}
+
+std::set<std::string> Values::parameters_of(const Part& part) const {
+    std::set<std::string> all = part.parameters;
+    const std::vector<bool> needed = needed_for(part);
+    for (std::size_t k = 0; k < definitions_.size(); ++k) {
+        const auto& own = definitions_[k].part.parameters;
+        if (needed[k]) all.insert(own.begin(), own.end());
+    }
+    return all;
+}
+
+std::string Values::definitions_for(const Part& part) const {
+    const std::vector<bool> needed = needed_for(part);
     std::string text;
     for (std::size_t k = 0; k < definitions_.size(); ++k) {
         const Definition& one = definitions_[k];

@@ -25,10 +25,10 @@ struct Part {
     bool is_condition = false;
     bool is_never_negative = false;
     bool may_jump = false;
-    std::bitset<5> inputs;       // that it depends on
-    std::set<std::size_t> names; // definitions that it names
-    std::set<std::string> parameters;
-    int depth = 0; // of parentheses in the text
+    std::bitset<5> inputs;            // that it depends on
+    std::set<std::size_t> names;      // definitions that it names
+    std::set<std::string> parameters; // beside those of the definitions
+    int depth = 0;                    // of parentheses in the text
 
     // As what `if` chooses by; a number holds if it rounds to another than 0.
     std::string condition() const;
@@ -58,6 +58,8 @@ public:
 
     // "N = 8; f(x) = N*x; ": what the part names, to stand before it.
     std::string definitions_for(const Part& part) const;
+    // All parameters that the part depends on.
+    std::set<std::string> parameters_of(const Part& part) const;
     const std::string& time() const { return time_; }
     // The value of a parameter.
     double slider(const std::string& parameter) const { return sliders_.at(parameter); }
@@ -76,6 +78,7 @@ public:
 
 private:
     std::string free_name(const std::string& name);
+    std::vector<bool> needed_for(const Part& part) const; // of the definitions
     std::size_t define(const std::string& name, Part part);
 
     std::vector<Definition> definitions_; // each names only those before it

@@ -1,10 +1,13 @@
 #include "scene/reading/pov.h"
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
+#include <iterator>
 #include <map>
 #include <numbers>
 #include <optional>
+#include <set>
 #include <utility>
 #include <vector>
 
@@ -47,6 +50,29 @@ PovNumber plus(const PovNumber& a, const PovNumber& b) {
     return {fmt::format("({}) + ({})", a.text, b.text), PovNumber::Strength::sum, std::nullopt};
 }
 
+// The names in a value, whatever they stand for.
+std::vector<std::string> words_of(std::string_view text) {
+    const auto is_of_word = [](char c) {
+        return std::isalnum(static_cast<unsigned char>(c)) || c == '_';
+    };
+    const auto is_digit = [](char c) { return '0' <= c && c <= '9'; };
+    std::vector<std::string> words;
+    for (auto at = text.begin(); at != text.end();) {
+        const auto end = std::find_if_not(at, text.end(), is_of_word);
+        const auto begin = std::find_if_not(at, end, is_digit);
+        if (begin != end) words.emplace_back(begin, end);
+        at = end == text.end() ? end : end + 1;
+    }
+    return words;
+}
+
+bool may_jump(std::string_view formula) {
+    static constexpr std::string_view jumping[] = {"if", "floor", "trunc", "atan2"};
+    return std::ranges::any_of(words_of(formula), [](const std::string& word) {
+        return std::ranges::count(jumping, word) > 0;
+    });
+}
+
 class PovScene {
 public:
     PovScene(const std::vector<PovWord>& words, const std::filesystem::path& file)
@@ -72,7 +98,7 @@ public:
 private:
     void put(std::size_t line, const std::string& key, const std::string& value) {
         lines_.put(line, key, value);
-        said_ += value + "\n";
+        std::ranges::copy(words_of(value), std::inserter(said_, said_.end()));
     }
 
     void statement() {
@@ -166,8 +192,8 @@ private:
         Vector direction{zero, zero, one};
         Vector angle; // one number, or none
         std::size_t location_line = line, target_line = line, angle_line = line;
-        double right = 4.0 / 3, up = 1, ahead = 1;
-        bool is_orthographic = false;
+        Vector right{PovNumber::of(4.0 / 3), zero, zero}, up{zero, one, zero};
+        bool is_orthographic = false, has_size = false;
         at_.expect("{", "camera");
         while (!at_.take_if("}")) {
             const PovWord word = at_.now();
@@ -185,12 +211,13 @@ private:
             } else if (word.is("sky")) {
                 sky = values_.vector(at_, word.text);
             } else if (word.is("right")) {
-                right = length_of(values_.vector(at_, word.text), word.text);
+                right = values_.vector(at_, word.text);
+                has_size = true;
             } else if (word.is("up")) {
-                up = length_of(values_.vector(at_, word.text), word.text);
+                up = values_.vector(at_, word.text);
+                has_size = true;
             } else if (word.is("direction")) {
                 direction = values_.vector(at_, word.text);
-                ahead = length_of(direction, word.text);
             } else if (word.is("orthographic")) {
                 is_orthographic = true;
             } else if (!word.is("perspective")) {
@@ -201,6 +228,9 @@ private:
                                      word.text));
             }
         }
+        expect_unmirrored(right, up, direction);
+        const double across = length_of(right, "right"), upwards = length_of(up, "up"),
+                     ahead = length_of(direction, "direction");
         for (std::size_t k = 0; target.size() < 3; ++k)
             target.push_back(plus(location[k], direction[k]));
         eye_ = still_vector(location).value_or(eye_);
@@ -209,14 +239,38 @@ private:
         put(line, "camera.up", vector_text(swapped(sky)));
         if (is_orthographic) {
             put(line, "camera.projection", "\"orthographic\"");
-            put(line, "camera.height", fmt::format("{}", up));
+            const double scale =
+                angle.empty() && has_size ? 1 : scale_at(location, target, angle, across, ahead);
+            put(line, "camera.height", fmt::format("{}", upwards * scale));
         } else {
-            put(angle_line, "camera.fov", fov_text(angle, right, up, ahead));
+            put(angle_line, "camera.fov", fov_text(angle, across, upwards, ahead));
         }
         constexpr double width = 640;
-        const double height = std::round(width * up / right);
+        const double height = std::round(width * upwards / across);
         if (height >= 1 && height <= limits::picture_side)
             put(line, "output.size", fmt::format("[{}, {}]", width, height));
+    }
+
+    // `right` may point to the left: then POV-Ray's picture is mirrored.
+    void expect_unmirrored(const Vector& right, const Vector& up, const Vector& direction) const {
+        const auto r = still_vector(right), u = still_vector(up), d = still_vector(direction);
+        if (r && u && d && glm::dot(glm::cross(*u, *d), *r) < 0) {
+            at_.fail("right",
+                     "points to the left, and a mirrored picture is not read: turn it round "
+                     "and give all objects scale <-1, 1, 1>");
+        }
+    }
+
+    // How much larger than `right` and `up` the picture of an orthographic camera is, by which it
+    // shows at its target what one in perspective would.
+    double scale_at(const Vector& location, const Vector& target, const Vector& angle, double right,
+                    double ahead) const {
+        const auto from = still_vector(location), to = still_vector(target);
+        const bool moves = !from || !to || (!angle.empty() && !angle[0].value);
+        if (moves) at_.fail("camera", "an orthographic camera must not move; give it right and up");
+        if (!angle.empty())
+            ahead = 0.5 * right / std::tan(*angle[0].value * std::numbers::pi / 360);
+        return glm::distance(*from, *to) / ahead;
     }
 
     // The field of view upwards, where POV-Ray's angle is across.
@@ -414,7 +468,7 @@ private:
             bounds = std::exchange(bare.bounds, std::nullopt);
         }
         PovFormula formula(at_, [&](const std::string& name) {
-            return values_.is_declared(name) || names_word(said_, name);
+            return values_.is_declared(name) || said_.contains(name);
         });
         const auto text = formula.of(bare);
         if (!text) return {};
@@ -423,6 +477,9 @@ private:
             if (const auto moved = transform.toml())
                 keys.push_back({solid.line, "transform", *moved});
         }
+        // POV-Ray finds a root wherever the sign changes.
+        if (bare.kind == PovSolid::Kind::formula && solid.word == "isosurface" && may_jump(*text))
+            keys.push_back({solid.line, "jumps", "true"});
         if (bounds) keys.push_back({bounds->line, "bounds", bounds->text});
         // As far as can be seen, nearly: what goes on without end has no bounds to find.
         if (!bounds && solid.is_endless) {
@@ -484,14 +541,14 @@ private:
     void put_parameters() {
         const auto& all = values_.parameters();
         for (std::size_t k = all.size(); k-- > 0;) {
-            if (!names_word(said_, all[k].name)) continue;
+            if (!said_.contains(all[k].name)) continue;
             const PovValues::Parameter& parameter = all[k];
             const bool is_number =
                 parameter.text.find_first_not_of("0123456789.-+e") == parameter.text.npos;
             put(parameter.line, "parameters." + parameter.name,
                 is_number ? parameter.text : toml_text(parameter.text));
         }
-        if (!names_word(said_, "clock")) return;
+        if (!said_.contains("clock")) return;
         put(last_line_, "parameters.clock", "\"t\"");
         put(last_line_, "time.frames", "31");
         put(last_line_, "time.fps", "30");
@@ -504,7 +561,7 @@ private:
     PovSolidReader solids_;
     TomlLines lines_;
     std::size_t last_line_;
-    std::string said_; // all values, to see what they name
+    std::set<std::string, std::less<>> said_; // the words of all values, to see what they name
     std::vector<PovSolid> roots_;
     std::vector<Light> all_lights_;
     PovLook look_;            // of the first surface

@@ -4,54 +4,65 @@
 #include <cctype>
 #include <cmath>
 #include <numbers>
+#include <span>
+#include <utility>
 
 #include <fmt/format.h>
 
 namespace isomotion::scene {
 namespace {
 
-using Value = double (*)(double);
+using Numbers = std::span<const double>;
+using Value = double (*)(Numbers);
+
+template<double (*function)(double)> double of_one(Numbers a) { return function(a[0]); }
+
+double least(Numbers a) { return *std::ranges::min_element(a); }
+double greatest(Numbers a) { return *std::ranges::max_element(a); }
 
 struct PovFunction {
     std::string_view name;
     std::size_t arguments;
     std::string_view text; // with $0, $1 for the arguments
-    Value value = nullptr; // of a number
+    Value value = nullptr; // of numbers
     // functions.inc: the text is a field F, of $0 $1 $2 for POV-Ray's x y z. The function is
     // strength*F within 10 on either side, and the strength is $3.
     bool is_field = false;
 };
 
 constexpr PovFunction pov_functions[] = {
-    {"abs", 1, "abs($0)", std::fabs},
-    {"acos", 1, "acos($0)", std::acos},
-    {"acosh", 1, "acosh($0)", std::acosh},
-    {"asin", 1, "asin($0)", std::asin},
-    {"asinh", 1, "asinh($0)", std::asinh},
-    {"atan", 1, "atan($0)", std::atan},
-    {"atan2", 2, "atan2($0, $1)"},
-    {"atanh", 1, "atanh($0)", std::atanh},
-    {"ceil", 1, "(-floor(-$0))", std::ceil},
-    {"cos", 1, "cos($0)", std::cos},
-    {"cosh", 1, "cosh($0)", std::cosh},
-    {"degrees", 1, "($0*180/pi)", [](double a) { return a * 180 / std::numbers::pi; }},
-    {"div", 2, "trunc($0/$1)"},
-    {"exp", 1, "exp($0)", std::exp},
-    {"floor", 1, "floor($0)", std::floor},
-    {"int", 1, "trunc($0)", std::trunc},
-    {"ln", 1, "log($0)", std::log},
-    {"log", 1, "(log($0)/log(10))", std::log10},
-    {"mod", 2, "($0 - $1*trunc($0/$1))"},
-    {"pow", 2, "($0^$1)"},
-    {"radians", 1, "($0*pi/180)", [](double a) { return a * std::numbers::pi / 180; }},
-    {"select", 3, "if($0 < 0, $1, $2)"},
-    {"select", 4, "if($0 < 0, $1, if($0 > 0, $3, $2))"},
-    {"sin", 1, "sin($0)", std::sin},
-    {"sinh", 1, "sinh($0)", std::sinh},
-    {"sqr", 1, "($0^2)", [](double a) { return a * a; }},
-    {"sqrt", 1, "sqrt($0)", std::sqrt},
-    {"tan", 1, "tan($0)", std::tan},
-    {"tanh", 1, "tanh($0)", std::tanh},
+    {"abs", 1, "abs($0)", of_one<std::fabs>},
+    {"acos", 1, "acos($0)", of_one<std::acos>},
+    {"acosh", 1, "acosh($0)", of_one<std::acosh>},
+    {"asin", 1, "asin($0)", of_one<std::asin>},
+    {"asinh", 1, "asinh($0)", of_one<std::asinh>},
+    {"atan", 1, "atan($0)", of_one<std::atan>},
+    {"atan2", 2, "atan2($0, $1)", [](Numbers a) { return std::atan2(a[0], a[1]); }},
+    {"atanh", 1, "atanh($0)", of_one<std::atanh>},
+    {"ceil", 1, "(-floor(-$0))", of_one<std::ceil>},
+    {"cos", 1, "cos($0)", of_one<std::cos>},
+    {"cosh", 1, "cosh($0)", of_one<std::cosh>},
+    {"degrees", 1, "($0*180/pi)", [](Numbers a) { return a[0] * 180 / std::numbers::pi; }},
+    {"div", 2, "trunc($0/$1)", [](Numbers a) { return std::trunc(a[0] / a[1]); }},
+    {"exp", 1, "exp($0)", of_one<std::exp>},
+    {"floor", 1, "floor($0)", of_one<std::floor>},
+    {"int", 1, "trunc($0)", of_one<std::trunc>},
+    {"ln", 1, "log($0)", of_one<std::log>},
+    {"log", 1, "(log($0)/log(10))", of_one<std::log10>},
+    {"mod", 2, "($0 - $1*trunc($0/$1))", [](Numbers a) { return std::fmod(a[0], a[1]); }},
+    {"pow", 2, "($0^$1)", [](Numbers a) { return std::pow(a[0], a[1]); }},
+    {"radians", 1, "($0*pi/180)", [](Numbers a) { return a[0] * std::numbers::pi / 180; }},
+    {"select", 3, "if($0 < 0, $1, $2)", [](Numbers a) { return a[0] < 0 ? a[1] : a[2]; }},
+    {"select", 4, "if($0 < 0, $1, if($0 > 0, $3, $2))",
+     [](Numbers a) { return a[0] < 0   ? a[1]
+                            : a[0] > 0 ? a[3]
+                                       : a[2]; }},
+    {"sin", 1, "sin($0)", of_one<std::sin>},
+    {"sinh", 1, "sinh($0)", of_one<std::sinh>},
+    {"sqr", 1, "($0^2)", [](Numbers a) { return a[0] * a[0]; }},
+    {"sqrt", 1, "sqrt($0)", of_one<std::sqrt>},
+    {"tan", 1, "tan($0)", of_one<std::tan>},
+    {"tanh", 1, "tanh($0)", of_one<std::tanh>},
 
     {"f_r", 3, "length($0, $1, $2)"},
     {"f_th", 3, "atan2($0, $2)"},
@@ -170,6 +181,25 @@ std::string pov_function_arguments(const std::string& name) {
     return fmt::format("{} number{}", found->arguments, found->arguments == 1 ? "" : "s");
 }
 
+namespace {
+
+// Numbers alone are computed; what parameters make of numbers has a value beside its text.
+PovNumber called(std::string text, Value value, const std::vector<PovNumber>& arguments) {
+    PovNumber all{std::move(text), PovNumber::Strength::atom, std::nullopt};
+    std::vector<double> numbers;
+    for (const PovNumber& argument : arguments) {
+        if (!argument.value) return all;
+        numbers.push_back(*argument.value);
+    }
+    const double number = value(numbers);
+    if (!std::isfinite(number)) return all;
+    if (std::ranges::all_of(arguments, &PovNumber::is_plain)) return PovNumber::of(number);
+    all.value = number;
+    return all;
+}
+
+} // namespace
+
 std::optional<PovNumber> called_pov_function(const std::string& name,
                                              const std::vector<PovNumber>& arguments) {
     if (takes_any(name)) {
@@ -177,18 +207,15 @@ std::optional<PovNumber> called_pov_function(const std::string& name,
         std::vector<std::string> texts;
         texts.reserve(arguments.size());
         for (const PovNumber& argument : arguments) texts.push_back(argument.text);
-        return PovNumber{fmt::format("{}({})", name, fmt::join(texts, ", ")),
-                         PovNumber::Strength::atom, std::nullopt};
+        return called(fmt::format("{}({})", name, fmt::join(texts, ", ")),
+                      name == "min" ? least : greatest, arguments);
     }
     const auto* const found = std::ranges::find_if(pov_functions, [&](const PovFunction& one) {
         return one.name == name && one.arguments == arguments.size();
     });
     if (found == std::end(pov_functions)) return std::nullopt;
-    if (found->value && arguments[0].is_plain()) {
-        const double value = found->value(*arguments[0].value);
-        if (std::isfinite(value)) return PovNumber::of(value);
-    }
     std::string text = put_in(found->text, arguments);
+    if (found->value) return called(std::move(text), found->value, arguments);
     if (found->is_field)
         text = fmt::format("clamp({}*({}), -10, 10)", put_in("$3", arguments), text);
     return PovNumber{text, PovNumber::Strength::atom, std::nullopt};

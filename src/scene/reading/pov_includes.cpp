@@ -52,7 +52,8 @@ private:
 
     // A name alone: its file can only lie in the scene's folder.
     bool include(const std::string& name, std::size_t line, int depth) {
-        if (is_povs_own_file(name) || name.empty() || fs::path(name).filename() != name)
+        if (is_povs_own_file(name) || name.empty() || fs::path(name).filename() != name ||
+            name == "." || name == "..")
             return false;
         const fs::path path = file_.parent_path() / name;
         std::error_code error;
@@ -61,7 +62,12 @@ private:
             fail(line, fmt::format("more than {} files include one another", deepest_include));
         if (++count_ > most_includes)
             fail(line, fmt::format("more than {} files are included", most_includes));
-        const std::string text = base::file_text(path, limits::scene_bytes - bytes_, within_);
+        std::string text;
+        try {
+            text = base::file_text(path, limits::scene_bytes - bytes_, within_);
+        } catch (const std::runtime_error& error) {
+            fail(line, error.what());
+        }
         bytes_ += text.size();
         add(pov_words(text, path), line, depth + 1);
         return true;

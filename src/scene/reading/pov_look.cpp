@@ -5,10 +5,10 @@
 
 #include <fmt/format.h>
 
+#include "scene/reading/pov_colors.h"
+
 namespace isomotion::scene {
 namespace {
-
-constexpr int deepest_look = 20; // textures in materials and in one another
 
 bool is_look(const PovWord& word) {
     return word.is("texture") || word.is("pigment") || word.is("finish") || word.is("material");
@@ -56,12 +56,11 @@ bool PovLooks::read(PovCursor& at, PovLook& look) {
     } else if (word.is("texture") || word.is("material")) {
         at.take();
         at.expect("{", word.text);
-        if (++depth_ > deepest_look) at.fail(word.text, "stands in too many others of its kind");
+        const PovDepth within(depth_, at, word.text, "textures");
         while (!at.take_if("}")) {
             if (take_declared(at, look) || read(at, look)) continue;
             at.fail(word.text, fmt::format("'{}' is not read", at.now().text));
         }
-        --depth_;
     } else if (word.is("normal") || word.is("interior") || word.is("photons")) {
         at.take();
         at.skip_group(word.text);
@@ -99,9 +98,16 @@ void PovLooks::read_pigment(PovCursor& at, PovLook& look) {
         PovValue color = values_->value(at, "pigment");
         if (color.size() == 1) color.resize(3, color[0]);
         if (color.size() < 3) at.fail("pigment", "needs a colour of three numbers: rgb <1, 0, 0>");
-        // Parts 3 and 4: the light that passes, coloured and not.
-        look.is_clear = std::any_of(color.begin() + 3, color.end(),
-                                    [](const PovNumber& part) { return part.value == 1.0; });
+        color.resize(5, PovNumber::of(0));
+        for (int part = 0; (part = pov_color_part(at.now().text)) >= 0;) {
+            at.take();
+            color[std::size_t(part)] = values_->number(at, "pigment");
+        }
+        // All light passes if none is held back, nor coloured: a red filter is seen.
+        const auto is_one = [](const PovNumber& part) { return part.value == 1.0; };
+        const auto &filter = color[3], &transmit = color[4];
+        look.is_clear = is_one(transmit) ||
+                        (is_one(filter) && std::all_of(color.begin(), color.begin() + 3, is_one));
         color.resize(3);
         look.color = color;
     }

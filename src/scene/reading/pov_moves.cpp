@@ -67,7 +67,9 @@ void expect_regular(const PovValue& by, const PovCursor& at) {
     const double determinant = m[0] * (m[4] * m[8] - m[5] * m[7]) -
                                m[1] * (m[3] * m[8] - m[5] * m[6]) +
                                m[2] * (m[3] * m[7] - m[4] * m[6]);
-    if (!(std::abs(determinant) > 1e-12)) at.fail("matrix", "makes the object flat");
+    double size = 1; // of what is not flat at all
+    for (std::size_t row = 0; row < 9; row += 3) size *= std::hypot(m[row], m[row + 1], m[row + 2]);
+    if (!(std::abs(determinant) > 1e-12 * size)) at.fail("matrix", "makes the object flat");
 }
 
 } // namespace
@@ -75,14 +77,17 @@ void expect_regular(const PovValue& by, const PovCursor& at) {
 bool read_pov_move(PovCursor& at, PovValues& values, const PovMoves& declared,
                    std::vector<PovMove>& moves) {
     const std::string word = at.now().text;
-    if (moves.size() > most_moves)
-        at.fail(word, fmt::format("more than {} transformations of one object", most_moves));
+    const auto expect_room = [&](std::size_t more) {
+        if (moves.size() + more > most_moves)
+            at.fail(word, fmt::format("more than {} transformations of one object", most_moves));
+    };
     if (word == "transform") {
         at.take();
         const bool is_group = at.take_if("{");
         do {
             const auto known = declared.find(at.now().text);
             if (known != declared.end()) {
+                expect_room(known->second.size());
                 moves.insert(moves.end(), known->second.begin(), known->second.end());
                 at.take();
             } else if (at.now().is("transform") || !read_pov_move(at, values, declared, moves)) {
@@ -96,6 +101,7 @@ bool read_pov_move(PovCursor& at, PovValues& values, const PovMoves& declared,
     }
     if (word == "matrix") {
         at.take();
+        expect_room(1);
         PovMove move{PovMove::Kind::matrix, values.value(at, word)};
         if (move.by.size() != 12) at.fail(word, "needs 12 numbers: <1,0,0, 0,1,0, 0,0,1, 0,0,0>");
         expect_regular(move.by, at);
@@ -103,6 +109,7 @@ bool read_pov_move(PovCursor& at, PovValues& values, const PovMoves& declared,
         return true;
     }
     if (word != "translate" && word != "rotate" && word != "scale") return false;
+    expect_room(1);
     at.take();
     const std::size_t place = at.place();
     PovMove move{word == "translate" ? PovMove::Kind::translate

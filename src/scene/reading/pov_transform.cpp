@@ -86,11 +86,11 @@ bool PovTransform::rotate(const PovValue& angles) {
 }
 
 bool PovTransform::scale(const PovValue& by) {
-    const auto& even = by[0].value;
-    if (last_ || turn_ || !even || even != by[1].value || even != by[2].value || !(*even > 0))
+    const auto still = plain(by); // parameters stay in the formula
+    if (last_ || turn_ || !still || still->x != still->y || still->x != still->z || !(still->x > 0))
         return false;
-    scale_ *= *even;
-    still_ *= *even;
+    scale_ *= still->x;
+    still_ *= still->x;
     return true;
 }
 

@@ -4,6 +4,7 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <glm/glm.hpp>
@@ -65,9 +66,35 @@ public:
 private:
     struct Function {
         std::vector<std::string> arguments;
-        std::size_t body = 0; // the word after its opening brace
+        std::size_t body = 0;     // the word after its opening brace
+        std::size_t declared = 0; // values that were declared before it
     };
     using Arguments = std::map<std::string, PovNumber>;
+    struct Declared {
+        std::size_t when; // how many values were declared with it
+        PovValue value;
+    };
+
+    // What names mean: arguments within a function, and of values declared several times the last
+    // of the first `declared`.
+    struct Names {
+        const Arguments* arguments = nullptr;
+        std::size_t declared = 0;
+    };
+    // Gives names another meaning during its lifetime.
+    class Meaning {
+    public:
+        Meaning(PovValues& values, const Names& there)
+            : values_(values)
+            , before_(std::exchange(values.meaning_, there)) {}
+        ~Meaning() { values_.meaning_ = before_; }
+        Meaning(const Meaning&) = delete;
+        Meaning& operator=(const Meaning&) = delete;
+
+    private:
+        PovValues& values_;
+        Names before_;
+    };
 
     PovValue sum(PovCursor& at);
     PovValue product(PovCursor& at);
@@ -80,14 +107,20 @@ private:
     PovValue call(PovCursor& at, const std::string& name);
     PovNumber call_declared(PovCursor& at, const std::string& name);
     void expect_short(const PovValue& value, const PovCursor& at) const;
+    void declare(const std::string& name, PovValue value, const PovCursor& at);
     void declare_function(const std::string& name, PovCursor& at);
+    std::string parameter_of(const std::string& name) const;
+    const PovValue* known(const std::string& name) const;
 
-    std::map<std::string, PovValue> values_;
+    static constexpr std::size_t most_declared = 10'000;
+    static constexpr int most_calls = 100'000; // of declared functions, in all of the file
+
+    std::map<std::string, std::vector<Declared>> values_; // in the order of the file
     std::map<std::string, Function> functions_;
     std::vector<Parameter> parameters_;
-    const Arguments* arguments_ = nullptr; // within a function
+    Names meaning_;
     std::string for_what_;
-    int depth_ = 0;
+    int depth_ = 0, calls_ = 0;
 };
 
 } // namespace isomotion::scene

@@ -162,4 +162,10 @@ void PovCursor::fail_in(std::size_t line, std::string_view key, std::string_view
                                  base::printable_line(std::string(message))));
 }
 
+PovDepth::PovDepth(int& depth, const PovCursor& at, std::string_view key, std::string_view what)
+    : depth_(depth) {
+    if (depth_ >= most) at.fail(key, fmt::format("more than {} {} in one another", most, what));
+    ++depth_;
+}
+
 } // namespace isomotion::scene

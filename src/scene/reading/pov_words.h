@@ -54,4 +54,19 @@ private:
     std::size_t at_ = 0;
 };
 
+// Counts what is being read within what.
+class PovDepth {
+public:
+    static constexpr int most = 60;
+
+    PovDepth(int& depth, const PovCursor& at, std::string_view key,
+             std::string_view what = "parentheses and calls");
+    ~PovDepth() { --depth_; }
+    PovDepth(const PovDepth&) = delete;
+    PovDepth& operator=(const PovDepth&) = delete;
+
+private:
+    int& depth_;
+};
+
 } // namespace isomotion::scene

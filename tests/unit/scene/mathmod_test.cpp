@@ -267,7 +267,7 @@ TEST(MathMod, LongAndDeepTextsAreMistakes) {
         return text;
     };
     for (const char* part : {"(", "-", "!", "abs(", "x^", "if(x,", "x<"}) {
-        EXPECT_THAT(mistake_of(script(repeated(part, 100'000) + "x")),
+        EXPECT_THAT(mistake_of(script(repeated(part, 80'000) + "x")),
                     testing::StartsWith("model.js:5: Fxyz: has more than 90 parentheses"))
             << part;
     }

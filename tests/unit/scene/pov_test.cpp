@@ -217,5 +217,112 @@ TEST(Pov, HostileFilesEnd) {
         EXPECT_THAT(mistake_of(text), testing::StartsWith("ball.pov:")) << text;
 }
 
+// What doubles with each line, and what calls itself without a parenthesis.
+TEST(Pov, FilesThatGrowAreRefused) {
+    const auto repeated = [](const std::string& part, int count) {
+        std::string text;
+        for (int k = 0; k < count; ++k) text += part;
+        return text;
+    };
+    std::string calls = "#declare f0 = function(a) { 1 }\n", turns, values, names;
+    for (int k = 1; k < 12; ++k) {
+        calls += fmt::format("#declare f{} = function(a) {{ {}0 }}\n", k,
+                             repeated(fmt::format("f{}(a)+", k - 1), 10));
+    }
+    turns = "#declare T0 = transform { rotate x }\n";
+    for (int k = 1; k < 30; ++k)
+        turns += fmt::format("#declare T{0} = transform {{ T{1} T{1} }}\n", k, k - 1);
+    for (int k = 0; k <= 10'000; ++k) values += fmt::format("#declare a{} = 1;\n", k);
+    EXPECT_THAT(mistake_of(calls + "sphere { 0, f11(1) }"), HasSubstr("more than 100000 calls"));
+    EXPECT_THAT(mistake_of(turns + "sphere { 0, 1 transform T29 }"), HasSubstr("transformations"));
+    EXPECT_THAT(mistake_of(values + "sphere { 0, 1 }"), HasSubstr("more than 10000 values"));
+    EXPECT_THAT(mistake_of("sphere { 0, " + repeated("1^", 40'000) + "1 }"),
+                HasSubstr("in one another"));
+    EXPECT_THAT(mistake_of("background { " + repeated("color ", 200'000) + "rgb 1 }"),
+                HasSubstr("in one another"));
+    for (int k = 0; k < 70; ++k)
+        names += fmt::format("#declare A{} = sphere {{ 0, 1 texture {{ bogus }} }}\n", k);
+    EXPECT_EQ(mistake_of(names + "sphere { 0, 1 texture { pigment { rgb 1 } } }"), "nothing is wrong");
+}
+
+// A declaration that fails leaves nothing behind: its function's arguments are no names any more.
+TEST(Pov, FailedDeclarationsLeaveNothingBehind) {
+    const std::string text = "#declare F = function(a) { a + bogus }\n"
+                             "#declare S = sphere { 0, F(1) }\nsphere { ";
+    EXPECT_EQ(mistake_of(text + "x*2 + 1, 1 }"), "nothing is wrong");
+    EXPECT_THAT(mistake_of(text + "a, 1 }"), HasSubstr("'a' is not declared before"));
+}
+
+// What was read keeps the value that a name had then, also in functions.
+TEST(Pov, NamesMayBeDeclaredAgain) {
+    const glm::dvec3 p(2, 0, 0);
+    EXPECT_NEAR(value_at("#declare R = 1; #declare R = R + 1; sphere { 0, R }", p), 0, 1e-12);
+    EXPECT_NEAR(value_at("#declare R = 1; #declare F = function { x*x + y*y + z*z - R }\n"
+                         "#declare R = 2; isosurface { function { F(x, y, z) + 0*R } }",
+                         p),
+                3, 1e-12);
+    const Scene two = scene_of("#declare R = 1; sphere { 0, R }\n"
+                               "#declare R = 2; sphere { <5, 0, 0>, R pigment { rgb 1 } }");
+    ASSERT_EQ(two.surfaces.size(), 2);
+    for (std::size_t k = 0; k < 2; ++k) {
+        const SceneAt now = at_frame(two, 1);
+        double value = 0;
+        formula::Evaluator<double>(two.surfaces[k].field->value)
+            .point(formula::convert<double>(now.surfaces[k].bindings),
+                   std::array{k == 0 ? 1.0 : 3.0, 0.0, 0.0}, {&value, 1});
+        EXPECT_NEAR(value, 0, 1e-12) << k;
+    }
+}
+
+// Height of an orthographic picture: right and up where they alone are given, else what a camera in
+// perspective would show at its target.
+TEST(Pov, OrthographicCamerasHavePovRaysSize) {
+    const auto height = [](const std::string& more) {
+        const Scene scene = scene_of("camera { orthographic location <0, 0, -5> look_at 0 " + more +
+                                     " } sphere { 0, 1 }");
+        const SceneAt now = at_frame(scene, 1);
+        return now.camera.height;
+    };
+    EXPECT_NEAR(height("angle 30"), 2 * 5 * std::tan(glm::radians(15.0)) * 0.75, 1e-5);
+    EXPECT_NEAR(height(""), 5, 1e-12);
+    EXPECT_NEAR(height("right x*4 up y*3"), 3, 1e-12);
+    EXPECT_THAT(mistake_of("camera { right -x*4/3 look_at z } sphere { 0, 1 }"),
+                HasSubstr("points to the left"));
+}
+
+TEST(Pov, LightPassesWhereItIsNotColoured) {
+    const auto is_seen = [](const std::string& pigment) {
+        return mistake_of("sphere { 0, 1 pigment { " + pigment + " } }") == "nothing is wrong";
+    };
+    for (const char* clear : {"rgbt 1", "rgbf 1", "rgb 1 transmit 1", "rgbt <1, 0, 0, 1>",
+                              "color rgb <1, 1, 1> filter 1", "Clear"})
+        EXPECT_FALSE(is_seen(clear)) << clear;
+    for (const char* seen : {"rgbf <1, 0, 0, 1>", "rgb 1", "rgb 1 transmit 0.5", "White"})
+        EXPECT_TRUE(is_seen(seen)) << seen;
+}
+
+// Functions of declared numbers stand still.
+TEST(Pov, FunctionsOfNumbersAreNumbers) {
+    for (const char* text :
+         {"#declare A = 30; cylinder { 0, <2*cos(radians(A)), sin(A), pow(2, 2)>, 0.2 }",
+          "#declare A = 30; plane { <sin(radians(A)), 1, 0>, max(-1, -2) }",
+          "#declare A = 3; sphere { 0, 1 matrix <select(A, 1, 2), 0, 0, 0, mod(A, 2), 0, "
+          "0, 0, atan2(1, A), 0, 0, 0> }",
+          "sphere { 0, 1 matrix <1e-5, 0, 0, 0, 1e-5, 0, 0, 0, 1e-5, 0, 0, 0> }"})
+        EXPECT_EQ(mistake_of(text), "nothing is wrong") << text;
+    EXPECT_THAT(mistake_of("sphere { 0, 1 matrix <1, 2, 3, 2, 4, 6, 0, 0, 1, 0, 0, 0> }"),
+                HasSubstr("makes the object flat"));
+}
+
+// POV-Ray has a wall wherever the sign changes.
+TEST(Pov, JumpsOfIsosurfacesAreWalls) {
+    const auto has_walls = [](const std::string& function) {
+        return scene_of("isosurface { function { " + function + " } }").surfaces[0].jumps_are_walls;
+    };
+    EXPECT_TRUE(has_walls("select(y, x*x + y*y + z*z - 1, 1)"));
+    EXPECT_TRUE(has_walls("y - floor(3*x)/3"));
+    EXPECT_FALSE(has_walls("x*x + y*y + z*z - 1"));
+}
+
 } // namespace
 } // namespace isomotion::scene::pov_test
