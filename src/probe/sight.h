@@ -24,6 +24,8 @@ struct Sight {
     std::optional<double> closed_by;
     bool is_cut_away = false;  // sections leave none of the solid F < 0 at the sampled points
     bool eye_in_solid = false; // where F has that sign; false if a surface extends without end
+    // The middle of bounds that lie so far from the origin that floats are too coarse for edges.
+    std::optional<glm::dvec3> far_middle;
 };
 
 Sight sight(const scene::OneSurface& one, const scene::OneSurfaceAt& now);
@@ -31,7 +33,7 @@ Sight sight(const scene::OneSurface& one, const scene::OneSurfaceAt& now);
 // The reason for a frame without a hit.
 std::string why_nothing_is_seen(const Sight& sight);
 // Likely mistakes: a divisor of 0; an eye in the solid; a closed surface that sticks out of its
-// bounds.
+// bounds; coordinates far from the origin.
 std::vector<std::string> slips(const Sight& sight);
 
 } // namespace isomotion::probe

@@ -96,6 +96,19 @@ TEST_F(Sighting, AClosedSurfaceThatIsCutIsASlip) {
                     .empty());
 }
 
+TEST_F(Sighting, CoordinatesFarFromTheOriginAreASlip) {
+    const auto at = [&](double x) {
+        return slips(of(fmt::format("(x - {0})^2 + (y + {0})^2 + z^2 - 9", x),
+                        fmt::format("{{ sphere = 4, centre = [{0}, -{0}, 0] }}", x)));
+    };
+    ASSERT_EQ(at(500'000).size(), 1u);
+    EXPECT_NE(at(500'000)[0].find("translate = [500000, -500000, 0]"), std::string::npos);
+    EXPECT_TRUE(at(3000).empty());
+    EXPECT_TRUE(slips(of("x^2 + y^2 + z^2 - 9", "{ sphere = 4 }",
+                         "[surface.transform]\ntranslate = [500000, 0, 0]\n"))
+                    .empty());
+}
+
 TEST_F(Sighting, ASurfaceWithoutAnEndIsNoSlip) {
     for (const char* formula : {"z - 0.2*x", "x*y*z - 0.1", "x^2 + y^2 - z^2 - 0.1"}) {
         const Sight endless = of(formula);
