@@ -266,10 +266,13 @@ private:
     double scale_at(const Vector& location, const Vector& target, const Vector& angle, double right,
                     double ahead) const {
         const auto from = still_vector(location), to = still_vector(target);
-        const bool moves = !from || !to || (!angle.empty() && !angle[0].value);
-        if (moves) at_.fail("camera", "an orthographic camera must not move; give it right and up");
-        if (!angle.empty())
-            ahead = 0.5 * right / std::tan(*angle[0].value * std::numbers::pi / 360);
+        const char* still = "an orthographic camera must not move; give it right and up";
+        if (!from || !to) at_.fail("camera", still);
+        if (!angle.empty()) {
+            const auto& degrees = angle[0].value;
+            if (!degrees) at_.fail("camera", still);
+            ahead = 0.5 * right / std::tan(*degrees * std::numbers::pi / 360);
+        }
         return glm::distance(*from, *to) / ahead;
     }
 
@@ -383,6 +386,7 @@ private:
     // otherwise, are surfaces of their own.
     void split(const PovSolid& solid, std::vector<PovSolid>& all) const {
         const bool is_cut = solid.bounds && !solid.bounds->is_hint;
+        if (split_cut(solid, is_cut, all)) return;
         if (solid.kind != PovSolid::Kind::unite || solid.is_inverse || is_cut ||
             (solid.is_closed && solid.looks.size() == 1)) {
             if (all.size() >= most_parts)
@@ -398,6 +402,45 @@ private:
             one.take_looks();
             split(one, all);
         }
+    }
+
+    // What cuts a union cuts each of its parts. Returns false unless the object is a union of
+    // several looks that is cut.
+    bool split_cut(const PovSolid& solid, bool is_cut, std::vector<PovSolid>& all) const {
+        const PovSolid* of = &solid;
+        std::vector<std::shared_ptr<const PovSolid>> cuts;
+        if (solid.kind == PovSolid::Kind::clip) {
+            of = solid.parts.front().get();
+            cuts.assign(solid.parts.begin() + 1, solid.parts.end());
+        } else if (is_cut) {
+            PovSolid cut;
+            cut.word = solid.word;
+            cut.line = solid.line;
+            cut.formula = solid.bounds->formula;
+            cuts.push_back(std::make_shared<const PovSolid>(std::move(cut)));
+        }
+        if (cuts.empty() || of->kind != PovSolid::Kind::unite || of->looks.size() < 2 ||
+            solid.is_inverse || of->is_inverse || (of != &solid && of->bounds))
+            return false;
+        for (const auto& part : of->parts) {
+            PovSolid one = *part;
+            if (of != &solid) one.moves.insert(one.moves.end(), of->moves.begin(), of->moves.end());
+            PovSolid outer;
+            outer.kind = PovSolid::Kind::clip;
+            outer.word = solid.word;
+            outer.line = solid.line;
+            outer.depth = solid.depth;
+            outer.moves = solid.moves;
+            outer.look = std::exchange(one.look, PovLook{});
+            for (const PovLook& around : {of->look, solid.look})
+                if (!outer.look.color) outer.look = around;
+            one.take_looks();
+            outer.parts.push_back(std::make_shared<const PovSolid>(std::move(one)));
+            outer.parts.insert(outer.parts.end(), cuts.begin(), cuts.end());
+            outer.take_looks();
+            split(outer, all);
+        }
+        return true;
     }
 
     // The first colour among an object's parts that can be seen.

@@ -202,6 +202,30 @@ TEST(PovSolids, LooksThatDifferMakeSurfaces) {
     EXPECT_THAT(mistake_of(colours), HasSubstr("solids.pov:9: sphere: is one of 9 objects that"));
 }
 
+// The parts of a union keep their colours where the union is cut, by a box or by another object,
+// and are cut where the union lies.
+TEST(PovSolids, CutUnionsKeepTheColoursOfTheirParts) {
+    const std::string balls = "union { sphere { 0, 1 pigment { rgb <1, 0, 0> } }\n"
+                              "sphere { 2*x, 1 pigment { rgb <0, 1, 0> } }\n";
+    for (const char* cut : {"clipped_by { box { <-3, -3, -3>, <3, 0, 3> } } translate 0.25*y",
+                            "clipped_by { plane { y, 0 } } translate 0.25*y",
+                            "translate 0.25*y clipped_by { plane { y, 0.25 } }"}) {
+        SCOPED_TRACE(cut);
+        const Scene scene = scene_of(balls + cut + " }");
+        ASSERT_EQ(scene.surfaces.size(), 2);
+        const SceneAt now = at_frame(scene, 1);
+        for (std::size_t k = 0; k < 2; ++k) {
+            const SurfaceAt& surface = now.surfaces[k];
+            EXPECT_EQ(surface.color, glm::dvec3(k == 0, k == 1, 0));
+            for (const Point& p : points()) {
+                const double ball = glm::distance(p, Point(2.0 * double(k), 0.25, 0)) - 1;
+                if (std::abs(ball) < 1e-9 || std::abs(p.y - 0.25) < 1e-9) continue;
+                EXPECT_EQ(value_of(scene.surfaces[k], surface, p) < 0, ball < 0 && p.y < 0.25);
+            }
+        }
+    }
+}
+
 TEST(PovSolids, KnownObjectsAndMistakesOfDeclarations) {
     EXPECT_NEAR(value_at("#include \"shapesq.inc\"\nobject { Piriform scale 2 }", {1, 0.5, 0.25}),
                 4 * std::pow(0.5, 4) - 4 * std::pow(0.5, 3) + 0.0625 + 0.015625, 1e-12);
