@@ -16,6 +16,8 @@
 namespace isomotion::scene {
 namespace {
 
+constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF"; // before a text
+
 using Reader = ParticleTable (*)(const Bytes&, const ParticleRequest&);
 
 Reader reader_of_text(const std::filesystem::path& file) {
@@ -50,7 +52,7 @@ Reader reader_of(std::string_view bytes, const ParticleRequest& request) {
     if (bytes.starts_with("\x93NUMPY")) return read_npy;
     if (bytes.starts_with("# vtk DataFile")) return read_vtk;
     std::string_view text = bytes;
-    if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);
+    if (text.starts_with(byte_order_mark)) text.remove_prefix(byte_order_mark.size());
     text.remove_prefix(std::min(text.find_first_not_of(" \t\r\n"), text.size()));
     if (text.starts_with("<?xml") || text.starts_with("<VTKFile")) return read_vtu;
     for (const auto& [begin, what] :
@@ -106,6 +108,7 @@ ReadParticles read_particles(const ParticleRequest& request, std::string bytes, 
     const bool is_packed = is_gzip(bytes);
     if (is_packed) bytes = gunzip(request, bytes, most);
     const std::size_t size = bytes.size();
+    if (bytes.starts_with(byte_order_mark)) bytes.erase(0, byte_order_mark.size());
     const Reader reader = reader_of(bytes, request);
     ReadParticles read{reader(std::make_shared<const std::string>(std::move(bytes)), request),
                        size};

@@ -98,6 +98,12 @@ TEST_F(Molecules, OfNoElementAreDrawnToo) {
     EXPECT_THAT(field(scene, "radius"), ElementsAre(1.7, 1.5));
 }
 
+TEST_F(Molecules, MayComeFromOtherSystems) {
+    const Scene scene = read("m.xyz", "\xEF\xBB\xBF 2 \r\n\r\nC\t0 0 0 \r\nO 1.5e0 0 0\r\n\r\n", 1);
+    EXPECT_THAT(field(scene, "cx"), ElementsAre(0, 1.5));
+    EXPECT_THAT(field(scene, "atomic_number"), ElementsAre(6, 8));
+}
+
 // Labels that are no elements are labels: such files have no radii.
 TEST_F(Molecules, AreNoDropsOfALiquid) {
     EXPECT_THAT(wrong("m.xyz", "2\n\ndrop 0 0 0\ndrop 1 0 0\n"),
