@@ -11,11 +11,8 @@
 namespace isomotion::scene {
 namespace {
 
-// Whether a file names one of the columns that elements would give.
-bool has_columns_of_elements(const std::vector<std::string>& names) {
-    return std::ranges::any_of(element_columns, [&](const char* column) {
-        return std::ranges::find(names, column) != names.end();
-    });
+bool has(const std::vector<std::string>& names, std::string_view name) {
+    return std::ranges::find(names, name) != names.end();
 }
 
 } // namespace
@@ -30,9 +27,11 @@ void AtomRows::begin(RowLayout layout, std::size_t count) {
     layout_ = std::move(layout);
     names_ = layout_.names;
     given_ = names_.size();
-    if (has_columns_of_elements(names_)) layout_.element.reset();
-    if (layout_.element)
-        names_.insert(names_.end(), element_columns.begin(), element_columns.end());
+    for (std::size_t k = 0; layout_.element && k < element_columns.size(); ++k) {
+        if (has(layout_.names, element_columns[k])) continue; // what the file says goes before
+        of_elements_.push_back(k);
+        names_.emplace_back(element_columns[k]);
+    }
     if (layout_.has_frames) names_.emplace_back("frame");
     wanted_ = wanted_of(request_, table_.format, names_, count);
     values_.resize(names_.size());
@@ -55,15 +54,14 @@ void AtomRows::add(const std::vector<std::string_view>& cells, int frame) {
             [&](std::size_t k) { return words_.number(cells[layout_.cells[k]], names_[k]); });
     if (!layout_.element) return;
     const auto of_element = element_numbers(atomic_number(cells[*layout_.element]));
-    for (std::size_t k = 0; k < of_element.size(); ++k)
-        if (wanted_.columns[given_ + k]) values_[given_ + k].push_back(of_element[k]);
+    for (std::size_t k = 0; k < of_elements_.size(); ++k)
+        if (wanted_.columns[given_ + k]) values_[given_ + k].push_back(of_element[of_elements_[k]]);
 }
 
 void AtomRows::add_none(int frame) {
     table_.bare.push_back(table_.lines.size());
     add_row(frame, [](std::size_t) { return 0.0; });
-    if (!layout_.element) return;
-    for (std::size_t k = 0; k < element_columns.size(); ++k)
+    for (std::size_t k = 0; k < of_elements_.size(); ++k)
         if (wanted_.columns[given_ + k]) values_[given_ + k].push_back(0);
 }
 

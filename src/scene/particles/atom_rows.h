@@ -51,6 +51,7 @@ private:
     RowLayout layout_;
     std::vector<std::string> names_; // of all columns: numbers, then an element's, then the time
     std::size_t given_ = 0;          // columns of numbers
+    std::vector<std::size_t> of_elements_; // those of element_columns that are added
     Wanted wanted_;
     std::vector<std::vector<double>> values_;
 };

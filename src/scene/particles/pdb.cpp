@@ -1,5 +1,6 @@
 // Atoms of the Protein Data Bank's format, version 3.3: records of fixed columns.
 #include <algorithm>
+#include <map>
 
 #include "scene/particles/atom_rows.h"
 #include "scene/particles/chemical_elements.h"
@@ -18,25 +19,29 @@ bool is_atom(std::string_view line) {
     return line.starts_with("ATOM  ") || line.starts_with("HETATM");
 }
 
-// An atom may be at several places. The one counts that the file names first.
+// The atoms of a residue may be at several places, each with a letter. Those count that have the
+// letter which the file names first in the residue.
 class Places {
 public:
     bool counts(std::string_view atom) {
-        const char other = atom.size() < 17 ? ' ' : atom[16];
-        if (other == ' ') return true;
-        if (first_ == ' ') first_ = other;
-        return other == first_;
+        const char letter = atom.size() < 17 ? ' ' : atom[16];
+        if (letter == ' ') return true;
+        const std::string_view residue = atom.substr(21, 6); // chain, number, insertion
+        return first_.try_emplace(residue, letter).first->second == letter;
     }
+    void begin_model() { first_.clear(); }
 
 private:
-    char first_ = ' ';
+    std::map<std::string_view, char> first_;
 };
 
 // Older files leave the element out. The atom's name has its symbol right-justified in columns 13
 // and 14, but for hydrogens of long names.
 std::string_view element_of(std::string_view atom) {
     const std::string_view stated = columns(atom, 77, 78);
-    if (atomic_number(stated) > 0) return stated;
+    const bool is_digit =
+        !stated.empty() && '0' <= stated[0] && stated[0] <= '9'; // a line's number
+    if (!is_digit && atomic_number(stated) > 0) return stated;
     const std::string_view two = columns(atom, 13, 14), name = columns(atom, 13, 16);
     const bool has_two_letters = atom.size() > 12 && atom[12] != ' ' && name.size() < 4;
     if (has_two_letters && atomic_number(two) > 0) return two;
@@ -44,7 +49,10 @@ std::string_view element_of(std::string_view atom) {
     return letter == name.npos ? name : name.substr(letter, 1);
 }
 
-std::string_view or_0(std::string_view cell) { return cell.empty() ? "0" : cell; }
+// Numbers too long for their columns are stars.
+std::string_view or_0(std::string_view cell) {
+    return cell.empty() || cell.starts_with('*') ? "0" : cell;
+}
 
 class PdbReader {
 public:
@@ -59,7 +67,10 @@ public:
         Words words(request_, text_);
         while (const auto next = words.line_as_it_is()) {
             const std::string_view line = *next;
-            if (line.starts_with("MODEL ")) ++models_;
+            if (line.starts_with("MODEL ")) {
+                ++models_;
+                places.begin_model();
+            }
             if (is_atom(line) && places.counts(line)) ++table_.count;
         }
     }
@@ -71,16 +82,22 @@ public:
         Words words(request_, text_);
         AtomRows rows(request_, words, table_);
         rows.begin(layout(), table_.count);
-        int model = 0;
+        int model = 0, last = 0; // with an atom
         while (const auto next = words.line_as_it_is()) {
             const std::string_view line = *next;
-            if (line.starts_with("MODEL ")) ++model;
+            if (line.starts_with("MODEL ")) {
+                if (model > last && last > 0) rows.add_none(model);
+                ++model;
+                places.begin_model();
+            }
             if (!is_atom(line) || !places.counts(line)) continue;
             rows.add({element_of(line), columns(line, 31, 38), columns(line, 39, 46),
                       columns(line, 47, 54), or_0(columns(line, 55, 60)),
                       or_0(columns(line, 61, 66))},
                      std::max(model, 1));
+            last = std::max(model, 1);
         }
+        if (model > last) rows.add_none(model);
         rows.end();
     }
 

@@ -34,6 +34,7 @@ std::optional<std::size_t> count_in(std::string_view line) {
 struct Extent {
     int frames = 0;
     std::size_t particles = 0;
+    bool has_elements = false; // a row begins with the symbol of one
 };
 
 Extent extent_of(const ParticleRequest& request, std::string_view text) {
@@ -45,15 +46,20 @@ Extent extent_of(const ParticleRequest& request, std::string_view text) {
         ++found.frames;
         found.particles += std::min(*count, text.size());
         words.rest_of_line(); // a comment
-        for (std::size_t row = 0; row < *count && words.rest_of_line(); ++row)
-            ;
+        for (std::size_t row = 0; row < *count; ++row) {
+            const auto line = words.rest_of_line();
+            if (!line) break;
+            const std::string_view first = line->substr(0, line->find_first_of(" \t"));
+            found.has_elements = found.has_elements || atomic_number(first) > 0;
+        }
     }
     return found;
 }
 
 // The columns that the comment of an extended XYZ states, "Properties=species:S:1:pos:R:3"; none if
 // it states none.
-std::optional<RowLayout> stated_layout(std::string_view comment) {
+// `many`: the file has several frames, whose times are those of the scene's frames.
+std::optional<RowLayout> stated_layout(std::string_view comment, bool many) {
     constexpr std::string_view key = "Properties=";
     const std::size_t begin = comment.find(key);
     if (begin == comment.npos) return std::nullopt;
@@ -71,29 +77,34 @@ std::optional<RowLayout> stated_layout(std::string_view comment) {
         const std::string_view name = next(), type = next();
         const std::size_t count = count_in(next()).value_or(0);
         if (name.empty() || type.size() != 1 || count == 0 || count > 100) return std::nullopt;
-        if (type == "R" || type == "I") {
+        const bool is_time = many && (name == "frame" || name == "t" || name == "time");
+        if ((type == "R" || type == "I") && !is_time) {
             add_names(layout.names, name == "velo" ? "velocity" : name, count);
             for (std::size_t k = 0; k < count; ++k) layout.cells.push_back(layout.width + k);
-        } else if (name == "species") {
-            layout.element = layout.width;
         }
+        if (name == "species" || name == "element" || name == "Z") layout.element = layout.width;
         layout.width += count;
     }
     if (layout.names.empty()) return std::nullopt;
     return layout;
 }
 
-// A symbol before the numbers, or an element's number before three.
-RowLayout layout_of(const Words& words, const std::vector<std::string_view>& cells) {
-    const bool has_symbol = !is_number(cells[0]) || cells.size() == 4;
+// A symbol before the numbers, or an element's number before three, or before what else may follow
+// a place.
+RowLayout layout_of(const Words& words, const std::vector<std::string_view>& cells,
+                    bool has_elements) {
+    const bool may_be_number = cells.size() == 5 || cells.size() == 7 || cells.size() == 8;
+    const bool has_symbol =
+        !is_number(cells[0]) || cells.size() == 4 || (may_be_number && atomic_number(cells[0]) > 0);
     if (has_symbol && cells.size() == 1) words.fail("has no numbers");
     RowLayout layout = layout_without_names(cells.size(), has_symbol ? 1 : 0);
-    if (has_symbol && atomic_number(cells[0]) > 0) layout.element = 0;
+    if (has_symbol && has_elements) layout.element = 0;
     return layout;
 }
 
-// Reads the rows of one time. `many`: the file has several.
-void read_frame(Words& words, AtomRows& rows, int frame, bool many, std::size_t most) {
+// Reads the rows of one time.
+void read_frame(Words& words, AtomRows& rows, int frame, const Extent& extent) {
+    const bool many = extent.frames > 1;
     const std::size_t count = count_in(next_row(words)).value_or(0);
     const std::string says = words.line() == 1 ? std::string("first line")
                                                : fmt::format("count in line {}", words.line());
@@ -111,9 +122,10 @@ void read_frame(Words& words, AtomRows& rows, int frame, bool many, std::size_t 
         }
         const auto cells = cells_of(*next);
         if (!rows.has_begun()) {
-            RowLayout layout = stated_layout(comment).value_or(layout_of(words, cells));
+            RowLayout layout =
+                stated_layout(comment, many).value_or(layout_of(words, cells, extent.has_elements));
             layout.has_frames = many;
-            rows.begin(std::move(layout), std::max(most, count));
+            rows.begin(std::move(layout), std::max(extent.particles, count));
         }
         rows.add(cells, frame);
     }
@@ -133,7 +145,7 @@ ParticleTable read_xyz(const Bytes& bytes, const ParticleRequest& request) {
     Words all(request, *bytes);
     AtomRows rows(request, all, table);
     for (int frame = 1; frame == 1 || frame <= extent.frames; ++frame)
-        read_frame(all, rows, frame, extent.frames > 1, extent.particles);
+        read_frame(all, rows, frame, extent);
     if (!next_row(all).empty()) {
         all.fail(fmt::format("follows the {} particles that the file has so far; those of another "
                              "time begin with their count",

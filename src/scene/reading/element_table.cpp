@@ -9,6 +9,7 @@
 #include "base/printable.h"
 #include "scene/error.h"
 #include "scene/limits.h"
+#include "scene/particles/chemical_elements.h"
 #include "scene/particles/file_frames.h"
 #include "scene/particles/read_particles.h"
 #include "scene/reading/file_part.h"
@@ -19,6 +20,12 @@ namespace {
 // Whether a column of the format may tell the time of a row.
 bool tells_times(std::string_view format) {
     return format == "CSV" || format.starts_with("NPY") || format == "XYZ" || format == "PDB";
+}
+
+// Fields that may be an element's, not the file's.
+std::set<std::string> fields_of_elements(std::string_view format) {
+    if (!format.starts_with("XYZ") && !format.starts_with("PDB")) return {};
+    return {element_columns.begin(), element_columns.end()};
 }
 
 // Makes samples of the rows of one file.
@@ -34,7 +41,8 @@ public:
         , place_column_(choice_.from.empty() ? 0 : choice_.from.front()) {}
 
     ElementTable read(Interpolation rule) {
-        ElementTable result{nullptr, choice_.fields, here(0), here(table_.count - 1)};
+        ElementTable result{nullptr, choice_.fields, fields_of_elements(table_.format), here(0),
+                            here(table_.count - 1)};
         split_by_time();
         rows_.file = options_.file;
         rows_.origin = fmt::format("{}: {}", options_.file.string(), table_.format);
@@ -299,6 +307,7 @@ ElementTable read_frames(const TableOptions& options, const animation::Timeline&
         }
         columns.velocities.resize(columns.from.size());
         result.fields = choice.fields;
+        result.of_elements = fields_of_elements(format);
         for (const std::size_t column : columns.from) files.columns.push_back(names[column]);
         files.velocities = columns.velocities;
         return Wanted{std::vector<bool>(names.size()), files.most, limits::table_values};

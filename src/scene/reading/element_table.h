@@ -11,6 +11,7 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <set>
 #include <span>
 #include <string>
 #include <vector>
@@ -23,8 +24,9 @@ namespace isomotion::scene {
 
 struct ElementTable {
     std::shared_ptr<const animation::ElementSamples> samples;
-    std::vector<std::string> fields; // the first columns of the samples
-    std::string first, last;         // the places of the first and the last elements, for messages
+    std::vector<std::string> fields;     // the first columns of the samples
+    std::set<std::string> of_elements{}; // fields that chemical elements may have given
+    std::string first, last; // the places of the first and the last elements, for messages
 };
 
 // What all tables of a scene together may still use.

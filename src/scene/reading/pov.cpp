@@ -133,21 +133,34 @@ private:
         at_.take();
         const std::string name = at_.take().text;
         at_.expect("=", "#declare " + name);
-        if (values_.declare(name, at_)) return;
+        if (values_.declare(name, at_)) return forget(name, Kind::value);
         const PovWord word = at_.now();
         if (word.is("transform")) {
             std::vector<PovMove> moves;
             read_pov_move(at_, values_, moves_, moves);
             moves_[name] = moves;
+            forget(name, Kind::move);
         } else if (PovSolidReader::is_solid(word)) {
             solids_.declare(name, at_);
-        } else if (!looks_.declare(name, at_)) {
+            forget(name, Kind::solid);
+        } else if (looks_.declare(name, at_)) {
+            forget(name, Kind::look);
+        } else {
             at_.take();
             if (!at_.now().is("{"))
                 at_.fail("#declare " + name, fmt::format("'{}' is not read here", word.text));
             at_.skip_group("#declare " + name);
         }
         at_.take_if(";");
+    }
+
+    // What a name was before it was declared as something of this kind.
+    enum class Kind { value, move, solid, look };
+    void forget(const std::string& name, Kind now) {
+        if (now != Kind::value) values_.forget(name);
+        if (now != Kind::move) moves_.erase(name);
+        if (now != Kind::solid) solids_.forget(name);
+        if (now != Kind::look) looks_.forget(name);
     }
 
     // Passes over files of POV-Ray's own: what they declare is known, if it is read.
@@ -163,6 +176,7 @@ private:
 
     void background() {
         const std::size_t line = at_.take().line;
+        if (has_background_) at_.fail("background", "is there a second time");
         at_.expect("{", "background");
         const Vector color = values_.vector(at_, "background");
         at_.expect("}", "background");
@@ -186,6 +200,7 @@ private:
 
     void camera() {
         const std::size_t line = at_.take().line;
+        if (std::exchange(has_camera_, true)) at_.fail("camera", "is there a second time");
         const PovNumber zero = PovNumber::of(0), one = PovNumber::of(1);
         Vector location{zero, zero, zero}, sky{zero, one, zero};
         Vector target; // none: along the direction
@@ -404,41 +419,42 @@ private:
         }
     }
 
-    // What cuts a union cuts each of its parts. Returns false unless the object is a union of
-    // several looks that is cut.
+    // What cuts an object cuts each of its parts. Returns false unless the object is cut and has
+    // parts that look otherwise.
     bool split_cut(const PovSolid& solid, bool is_cut, std::vector<PovSolid>& all) const {
-        const PovSolid* of = &solid;
+        PovSolid inner = solid;
         std::vector<std::shared_ptr<const PovSolid>> cuts;
-        if (solid.kind == PovSolid::Kind::clip) {
-            of = solid.parts.front().get();
-            cuts.assign(solid.parts.begin() + 1, solid.parts.end());
-        } else if (is_cut) {
+        if (is_cut) {
             PovSolid cut;
             cut.word = solid.word;
             cut.line = solid.line;
             cut.formula = solid.bounds->formula;
             cuts.push_back(std::make_shared<const PovSolid>(std::move(cut)));
+            inner.bounds.reset();
+            inner.moves.clear();
+        } else if (solid.kind == PovSolid::Kind::clip) {
+            cuts.assign(solid.parts.begin() + 1, solid.parts.end());
+            inner = *solid.parts.front();
         }
-        if (cuts.empty() || of->kind != PovSolid::Kind::unite || of->looks.size() < 2 ||
-            solid.is_inverse || of->is_inverse || (of != &solid && of->bounds))
+        if (cuts.empty() || solid.is_inverse || inner.is_inverse || inner.looks.size() < 2)
             return false;
-        for (const auto& part : of->parts) {
-            PovSolid one = *part;
-            if (of != &solid) one.moves.insert(one.moves.end(), of->moves.begin(), of->moves.end());
+        std::vector<PovSolid> pieces;
+        split(inner, pieces);
+        if (pieces.size() < 2) return false;
+        for (PovSolid& piece : pieces) {
             PovSolid outer;
             outer.kind = PovSolid::Kind::clip;
             outer.word = solid.word;
             outer.line = solid.line;
             outer.depth = solid.depth;
             outer.moves = solid.moves;
-            outer.look = std::exchange(one.look, PovLook{});
-            for (const PovLook& around : {of->look, solid.look})
-                if (!outer.look.color) outer.look = around;
-            one.take_looks();
-            outer.parts.push_back(std::make_shared<const PovSolid>(std::move(one)));
+            outer.look = std::exchange(piece.look, PovLook{});
+            if (!outer.look.color) outer.look = solid.look;
+            piece.take_looks();
+            outer.parts.push_back(std::make_shared<const PovSolid>(std::move(piece)));
             outer.parts.insert(outer.parts.end(), cuts.begin(), cuts.end());
             outer.take_looks();
-            split(outer, all);
+            all.push_back(std::move(outer));
         }
         return true;
     }
@@ -587,7 +603,8 @@ private:
             if (!said_.contains(all[k].name)) continue;
             const PovValues::Parameter& parameter = all[k];
             const bool is_number =
-                parameter.text.find_first_not_of("0123456789.-+e") == parameter.text.npos;
+                parameter.text.find_first_not_of("0123456789.-+e") == parameter.text.npos &&
+                parameter.text.find_first_of("0123456789") != parameter.text.npos;
             put(parameter.line, "parameters." + parameter.name,
                 is_number ? parameter.text : toml_text(parameter.text));
         }
@@ -609,7 +626,7 @@ private:
     std::vector<Light> all_lights_;
     PovLook look_;            // of the first surface
     glm::dvec3 eye_{0, 0, 0}; // the camera
-    bool has_ground_ = false, has_background_ = false;
+    bool has_ground_ = false, has_background_ = false, has_camera_ = false;
 };
 
 } // namespace

@@ -32,6 +32,7 @@ public:
     bool read(PovCursor& at, PovLook& look);
     // Declares the look after "=", if there is one.
     bool declare(const std::string& name, PovCursor& at);
+    void forget(const std::string& name) { declared_.erase(name); }
 
 private:
     bool take_declared(PovCursor& at, PovLook& look);

@@ -143,6 +143,11 @@ void PovSolidReader::declare(const std::string& name, PovCursor& at) {
     }
 }
 
+void PovSolidReader::forget(const std::string& name) {
+    declared_.erase(name);
+    mistakes_.erase(name);
+}
+
 PovSolid PovSolidReader::named(PovCursor& at) {
     if (is_solid(at.now())) return read(at);
     const std::string name = at.now().text;

@@ -67,6 +67,7 @@ public:
     PovSolid read(PovCursor& at);
     // The object after "=". One that cannot be read is a mistake only where it is used.
     void declare(const std::string& name, PovCursor& at);
+    void forget(const std::string& name);
 
 private:
     void read_shape(PovCursor& at, PovSolid& solid);

@@ -107,7 +107,7 @@ std::optional<double> PovNumber::plain() const {
 
 bool PovValues::is_color(const PovWord& word) const {
     return is_pov_color_word(word.text) || pov_color(word.text) || word.is("<") ||
-           (word.kind == PovWord::Kind::name && values_.contains(word.text));
+           (word.kind == PovWord::Kind::name && known(word.text));
 }
 
 bool PovValues::declare(const std::string& name, PovCursor& at) {
@@ -124,7 +124,12 @@ bool PovValues::declare(const std::string& name, PovCursor& at) {
     if (!is_value) return false;
     PovValue declared = value(at, "#declare " + name);
     at.take_if(";");
-    if (declared.size() == 1 && !is_taken(name)) {
+    // Counters would name one another in a long chain: numbers that stand still are computed.
+    const auto again = values_.find(name);
+    const bool counts = again != values_.end() && again->second.size() > 1;
+    if (counts && declared.size() == 1 && declared[0].value) {
+        declared[0] = PovNumber::of(*declared[0].value);
+    } else if (declared.size() == 1 && !is_taken(name)) {
         const std::string parameter = parameter_of(name);
         parameters_.push_back({parameter, declared[0].text, line});
         declared[0].text = parameter;
@@ -141,15 +146,18 @@ void PovValues::declare(const std::string& name, PovValue value, const PovCursor
     values_[name].push_back({meaning_.declared, std::move(value)});
 }
 
+void PovValues::forget(const std::string& name) {
+    if (known(name)) values_[name].push_back({++meaning_.declared, {}});
+}
+
 // A name that is declared again is another parameter.
-std::string PovValues::parameter_of(const std::string& name) const {
-    const auto known = values_.find(name);
-    std::size_t times = known == values_.end() ? 0 : known->second.size();
+std::string PovValues::parameter_of(const std::string& name) {
     std::string parameter = name;
-    const auto is_used = [&] {
-        return times > 0 && (parameter == name || values_.contains(parameter));
-    };
-    while (is_used()) parameter = fmt::format("{}_{}", name, ++times);
+    for (int times = 2;
+         is_parameter_.contains(parameter) || (parameter != name && values_.contains(parameter));
+         ++times)
+        parameter = fmt::format("{}_{}", name, times);
+    is_parameter_.insert(parameter);
     return parameter;
 }
 
@@ -158,7 +166,17 @@ const PovValue* PovValues::known(const std::string& name) const {
     if (found == values_.end()) return nullptr;
     const auto later =
         std::ranges::upper_bound(found->second, meaning_.declared, {}, &Declared::when);
-    return later == found->second.begin() ? nullptr : &std::prev(later)->value;
+    if (later == found->second.begin() || std::prev(later)->value.empty()) return nullptr;
+    return &std::prev(later)->value;
+}
+
+const PovValues::Function* PovValues::known_function(const std::string& name) const {
+    const auto found = functions_.find(name);
+    if (found == functions_.end()) return nullptr;
+    // Its own body knows only what was there before it.
+    const auto later =
+        std::ranges::lower_bound(found->second, meaning_.declared, {}, &Function::declared);
+    return later == found->second.begin() ? nullptr : &*std::prev(later);
 }
 
 void PovValues::declare_function(const std::string& name, PovCursor& at) {
@@ -177,7 +195,8 @@ void PovValues::declare_function(const std::string& name, PovCursor& at) {
     at.skip_group(name);
     at.take_if(";");
     function.body = open + 1;
-    functions_[name] = std::move(function);
+    ++meaning_.declared;
+    functions_[name].push_back(std::move(function));
 }
 
 PovValue PovValues::value(PovCursor& at, std::string_view for_what) {
@@ -348,7 +367,7 @@ PovValue PovValues::named(PovCursor& at) {
         }
     }
     if (at.next().is("(")) {
-        if (functions_.contains(name)) return {call_declared(at, name)};
+        if (known_function(name)) return {call_declared(at, name)};
         return call(at, name);
     }
     at.take();
@@ -370,7 +389,8 @@ PovValue PovValues::named(PovCursor& at) {
         return parts;
     }
     std::vector<std::string> names;
-    for (const auto& [declared, values] : values_) names.push_back(declared);
+    for (const auto& [declared, values] : values_)
+        if (known(declared)) names.push_back(declared);
     const std::string near = base::nearest_name(name, names);
     at.fail(for_what_, near.empty() ? fmt::format("'{}' is not declared before", name)
                                     : fmt::format("'{}' is not declared before; did you mean '{}'?",
@@ -400,7 +420,7 @@ PovValue PovValues::call(PovCursor& at, const std::string& name) {
 
 PovNumber PovValues::call_declared(PovCursor& at, const std::string& name) {
     const PovDepth within(depth_, at, for_what_);
-    const Function& function = functions_.at(name);
+    const Function& function = *known_function(name);
     at.take();
     at.take();
     Arguments given;

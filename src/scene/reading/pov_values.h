@@ -3,6 +3,7 @@
 
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -55,7 +56,11 @@ public:
     PovNumber function(PovCursor& at);
 
     bool is_color(const PovWord& word) const;
-    bool is_declared(const std::string& name) const { return values_.contains(name); }
+    bool is_declared(const std::string& name) const {
+        return values_.contains(name) || is_parameter_.contains(name);
+    }
+    // The name is declared again, as something that is no value.
+    void forget(const std::string& name);
 
     struct Parameter {
         std::string name, text;
@@ -67,7 +72,7 @@ private:
     struct Function {
         std::vector<std::string> arguments;
         std::size_t body = 0;     // the word after its opening brace
-        std::size_t declared = 0; // values that were declared before it
+        std::size_t declared = 0; // values and functions that were declared before it
     };
     using Arguments = std::map<std::string, PovNumber>;
     struct Declared {
@@ -109,14 +114,16 @@ private:
     void expect_short(const PovValue& value, const PovCursor& at) const;
     void declare(const std::string& name, PovValue value, const PovCursor& at);
     void declare_function(const std::string& name, PovCursor& at);
-    std::string parameter_of(const std::string& name) const;
+    std::string parameter_of(const std::string& name);
+    const Function* known_function(const std::string& name) const;
     const PovValue* known(const std::string& name) const;
 
     static constexpr std::size_t most_declared = 10'000;
     static constexpr int most_calls = 100'000; // of declared functions, in all of the file
 
-    std::map<std::string, std::vector<Declared>> values_; // in the order of the file
-    std::map<std::string, Function> functions_;
+    std::map<std::string, std::vector<Declared>> values_;    // in the order of the file
+    std::map<std::string, std::vector<Function>> functions_; // in the order of the file
+    std::set<std::string> is_parameter_;
     std::vector<Parameter> parameters_;
     Names meaning_;
     std::string for_what_;

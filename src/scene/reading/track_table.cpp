@@ -7,6 +7,11 @@
 
 namespace isomotion::scene {
 
+bool TrackTable::has(const std::string& name) const {
+    return std::ranges::any_of(tracks_,
+                               [&](const Entry& known) { return known.track.name == name; });
+}
+
 TrackId TrackTable::add(const std::string& name,
                         const std::optional<animation::TrackSource>& source, double otherwise,
                         const toml::node* at, const std::string& key) {

@@ -32,6 +32,7 @@ public:
     // Remembers where `name` ("blobs.cx") is defined.
     void place(const std::string& name, const std::string& key, const toml::node* at);
 
+    bool has(const std::string& name) const;
     int size() const { return int(tracks_.size()); }
     // Lets a track have this value at all times.
     void set(TrackId track, double value);

@@ -104,6 +104,33 @@ TEST_F(Molecules, MayComeFromOtherSystems) {
     EXPECT_THAT(field(scene, "atomic_number"), ElementsAre(6, 8));
 }
 
+TEST_F(Molecules, MayBeginWithAnAtomOfNoElementOrWithANumber) {
+    EXPECT_THAT(field(read("m.xyz", "2\n\nX 0 0 0\nC 1 0 0\n"), "atomic_number"),
+                ElementsAre(0, 6));
+    const Scene scene = read("m.xyz", "2\n\n6 0 0 0 0.1\n8 1.5 0 0 0.2\n");
+    EXPECT_THAT(field(scene, "atomic_number"), ElementsAre(6, 8));
+    EXPECT_THAT(field(scene, "cx"), ElementsAre(0, 1.5));
+}
+
+// What the file or the scene says goes before what elements are known for.
+TEST_F(Molecules, KeepTheColumnsAndParametersThatHaveTheSameNames) {
+    const Scene stated = read("m.xyz", "1\nProperties=element:S:1:pos:R:3:radius:R:1\nC 0 0 0 7\n");
+    EXPECT_THAT(field(stated, "radius"), ElementsAre(7));
+    EXPECT_THAT(field(stated, "atomic_number"), ElementsAre(6));
+    write("m.xyz", "1\n\nC 0 0 0\n");
+    EXPECT_EQ(
+        mistake("[surface]\nbounds = { sphere = 2 }\n"
+                "formula = \"1 - sum(atoms, exp(1 - ((x-cx)^2 + (y-cy)^2 + (z-cz)^2)/r^2))\"\n"
+                "[parameters]\nr = 0.5\n[arrays.atoms]\nfile = \"m.xyz\"\n"
+                "columns = { cx = \"x\", cy = \"y\", cz = \"z\" }\n"),
+        "nothing is wrong");
+}
+
+TEST_F(Molecules, OfSeveralFramesHaveTheTimesOfFrames) {
+    const std::string frame = "1\nProperties=species:S:1:pos:R:3:frame:I:1:t:R:1\nC 0 0 0 7 8\n";
+    EXPECT_THAT(field(read("m.xyz", frame + frame, 2), "cx", 2), ElementsAre(0));
+}
+
 // Labels that are no elements are labels: such files have no radii.
 TEST_F(Molecules, AreNoDropsOfALiquid) {
     EXPECT_THAT(wrong("m.xyz", "2\n\ndrop 0 0 0\ndrop 1 0 0\n"),
@@ -193,6 +220,33 @@ TEST_F(Molecules, OfPdbAreAtOnePlaceEachAndMoveWithItsModels) {
         EXPECT_THAT(field(scene, "cx", model), ElementsAre(model, model));
         EXPECT_THAT(field(scene, "cy", model), ElementsAre(0, 1));
     }
+}
+
+// Residues have alternatives of their own letters. What lines' numbers of old files say is no
+// element.
+TEST_F(Molecules, OfPdbAreThereOncePerResidue) {
+    auto in_residue = [](std::string atom, int residue) {
+        return atom.replace(22, 4, fmt::format("{:4}", residue));
+    };
+    const std::string text = in_residue(pdb_atom(" CA ", 1, 0, "C", 'A'), 1) +
+                             in_residue(pdb_atom(" CA ", 2, 0, "C", 'B'), 1) +
+                             in_residue(pdb_atom(" O  ", 3, 0, "O", 'B'), 2) +
+                             in_residue(pdb_atom(" CA ", 4, 0, " 6", 'C'), 3) +
+                             in_residue(pdb_atom(" N  ", 5, 0, "1", 'D'), 3) +
+                             in_residue(pdb_atom(" N  ", 6, 0, " 1"), 4);
+    const Scene scene = read("m.pdb", text);
+    EXPECT_THAT(field(scene, "cx"), ElementsAre(1, 3, 4, 6));
+    EXPECT_THAT(field(scene, "atomic_number"), ElementsAre(6, 8, 6, 7));
+}
+
+TEST_F(Molecules, OfPdbMayBeMissingFromAModel) {
+    const std::string atom = pdb_atom(" N  ", 1, 0, "N");
+    const Scene scene = read("m.pdb",
+                             "MODEL        1\n" + atom + "ENDMDL\nMODEL        2\nENDMDL\n" +
+                                 "MODEL        3\n" + atom + "ENDMDL\nMODEL        4\nENDMDL\n",
+                             4);
+    for (const int frame : {1, 2, 3, 4})
+        EXPECT_EQ(field(scene, "cx", frame).size(), frame % 2) << frame;
 }
 
 TEST_F(Molecules, OfPdbThatAreNoneAreMistakes) {

@@ -209,7 +209,9 @@ TEST(PovSolids, CutUnionsKeepTheColoursOfTheirParts) {
                               "sphere { 2*x, 1 pigment { rgb <0, 1, 0> } }\n";
     for (const char* cut : {"clipped_by { box { <-3, -3, -3>, <3, 0, 3> } } translate 0.25*y",
                             "clipped_by { plane { y, 0 } } translate 0.25*y",
-                            "translate 0.25*y clipped_by { plane { y, 0.25 } }"}) {
+                            "translate 0.25*y clipped_by { plane { y, 0.25 } }",
+                            "clipped_by { plane { y, 1 } } translate 0.25*y "
+                            "clipped_by { plane { y, 0.25 } } clipped_by { sphere { 0, 9 } }"}) {
         SCOPED_TRACE(cut);
         const Scene scene = scene_of(balls + cut + " }");
         ASSERT_EQ(scene.surfaces.size(), 2);

@@ -204,7 +204,7 @@ TEST(Pov, HostileFilesEnd) {
     for (int k = 0; k < 100'000; ++k) deep += "(";
     EXPECT_THAT(mistake_of(deep), HasSubstr("in one another"));
     EXPECT_THAT(mistake_of("#declare f = function(x) { f(x) }\nisosurface { function { f(x) } }"),
-                HasSubstr("in one another"));
+                HasSubstr("the function f is not read"));
     std::string nested = "x";
     for (int k = 0; k < 24; ++k) nested = "f(" + nested + ")";
     EXPECT_THAT(mistake_of(calls + "isosurface { function { " + nested + " } }"),
@@ -242,7 +242,8 @@ TEST(Pov, FilesThatGrowAreRefused) {
                 HasSubstr("in one another"));
     for (int k = 0; k < 70; ++k)
         names += fmt::format("#declare A{} = sphere {{ 0, 1 texture {{ bogus }} }}\n", k);
-    EXPECT_EQ(mistake_of(names + "sphere { 0, 1 texture { pigment { rgb 1 } } }"), "nothing is wrong");
+    EXPECT_EQ(mistake_of(names + "sphere { 0, 1 texture { pigment { rgb 1 } } }"),
+              "nothing is wrong");
 }
 
 // A declaration that fails leaves nothing behind: its function's arguments are no names any more.
@@ -272,6 +273,29 @@ TEST(Pov, NamesMayBeDeclaredAgain) {
                    std::array{k == 0 ? 1.0 : 3.0, 0.0, 0.0}, {&value, 1});
         EXPECT_NEAR(value, 0, 1e-12) << k;
     }
+}
+
+TEST(Pov, NamesMayBeDeclaredAgainAsAnything) {
+    std::string counter = "#declare N = 0;\n";
+    for (int k = 0; k < 3000; ++k) counter += "#declare N = N + 0.001;\n";
+    EXPECT_NEAR(value_at(counter + "sphere { 0, N }", {3, 0, 0}), 0, 1e-9);
+    EXPECT_NEAR(value_at("#declare f = function(x) { x + 1 }\n#declare g = function(x) { f(x)*2 }\n"
+                         "#declare f = function(x) { f(x) + 100 }\n"
+                         "isosurface { function { g(x) + 0.001*f(x) } }",
+                         {1, 0, 0}),
+                4.102, 1e-12);
+    EXPECT_NEAR(
+        value_at("#declare R = 1; #declare R = 2; #declare R_2 = 3; sphere { 0, R_2 }", {3, 0, 0}),
+        0, 1e-12);
+    EXPECT_NEAR(value_at("#declare e = 2; #declare R = e; sphere { 0, R }", {2, 0, 0}), 0, 1e-12);
+    const Scene scene =
+        scene_of("#declare P = pigment { rgb <1, 0, 0> }\n#declare P = rgb <0, 1, 0>;\n"
+                 "sphere { 0, 1 pigment { P } }");
+    EXPECT_EQ(at_frame(scene, 1).surfaces[0].color, glm::dvec3(0, 1, 0));
+    EXPECT_THAT(mistake_of("#declare S = sphere { 0, 1 }\n#declare S = 3;\nobject { S }"),
+                HasSubstr("'S' is not declared before"));
+    EXPECT_THAT(mistake_of("background { rgb 1 }\nbackground { rgb 0 }\nsphere { 0, 1 }"),
+                HasSubstr("2: background: is there a second time"));
 }
 
 // Height of an orthographic picture: right and up where they alone are given, else what a camera in
