@@ -65,8 +65,8 @@ public:
     void count() {
         Places places;
         Words words(request_, text_);
-        while (const auto next = words.line_as_it_is()) {
-            const std::string_view line = *next;
+        while (words.left() > 0) {
+            const std::string_view line = words.line_as_it_is().value_or("");
             if (line.starts_with("MODEL ")) {
                 ++models_;
                 places.begin_model();
@@ -83,8 +83,8 @@ public:
         AtomRows rows(request_, words, table_);
         rows.begin(layout(), table_.count);
         int model = 0, last = 0; // with an atom
-        while (const auto next = words.line_as_it_is()) {
-            const std::string_view line = *next;
+        while (words.left() > 0) {
+            const std::string_view line = words.line_as_it_is().value_or("");
             if (line.starts_with("MODEL ")) {
                 if (model > last && last > 0) rows.add_none(model);
                 ++model;

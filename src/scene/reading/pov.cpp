@@ -401,7 +401,7 @@ private:
     // otherwise, are surfaces of their own.
     void split(const PovSolid& solid, std::vector<PovSolid>& all) const {
         const bool is_cut = solid.bounds && !solid.bounds->is_hint;
-        if (split_cut(solid, is_cut, all)) return;
+        if (split_cut(solid, all)) return;
         if (solid.kind != PovSolid::Kind::unite || solid.is_inverse || is_cut ||
             (solid.is_closed && solid.looks.size() == 1)) {
             if (all.size() >= most_parts)
@@ -421,10 +421,10 @@ private:
 
     // What cuts an object cuts each of its parts. Returns false unless the object is cut and has
     // parts that look otherwise.
-    bool split_cut(const PovSolid& solid, bool is_cut, std::vector<PovSolid>& all) const {
+    bool split_cut(const PovSolid& solid, std::vector<PovSolid>& all) const {
         PovSolid inner = solid;
         std::vector<std::shared_ptr<const PovSolid>> cuts;
-        if (is_cut) {
+        if (solid.bounds && !solid.bounds->is_hint) {
             PovSolid cut;
             cut.word = solid.word;
             cut.line = solid.line;

@@ -127,8 +127,9 @@ bool PovValues::declare(const std::string& name, PovCursor& at) {
     // Counters would name one another in a long chain: numbers that stand still are computed.
     const auto again = values_.find(name);
     const bool counts = again != values_.end() && again->second.size() > 1;
-    if (counts && declared.size() == 1 && declared[0].value) {
-        declared[0] = PovNumber::of(*declared[0].value);
+    const std::optional<double> still = declared.size() == 1 ? declared[0].value : std::nullopt;
+    if (counts && still) {
+        declared[0] = PovNumber::of(*still);
     } else if (declared.size() == 1 && !is_taken(name)) {
         const std::string parameter = parameter_of(name);
         parameters_.push_back({parameter, declared[0].text, line});
