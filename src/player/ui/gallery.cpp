@@ -144,7 +144,7 @@ void Gallery::show_picture(std::size_t at, const std::array<float, 2>& from, flo
                              upper_left, lower_right, IM_COL32_WHITE, rounding);
     };
     const auto& own = entries_[at].texture;
-    const auto of_sheet = at < opened_ ? std::nullopt : sheet_->part(at - opened_);
+    const auto of_sheet = at < opened_ || !sheet_ ? std::nullopt : sheet_->part(at - opened_);
     if (own)
         show(own->id(), {0, 0}, {1, 1});
     else if (of_sheet)

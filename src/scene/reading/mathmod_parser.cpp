@@ -385,12 +385,13 @@ private:
         if (!known) fail(fmt::format("unknown function '{}'{}", name, hint(name, true)));
         std::vector<Part> list = arguments();
         expect_count(name, list.size(), known->arguments());
+        std::vector<double> numbers;
+        for (const Part& part : list)
+            if (part.value) numbers.push_back(*part.value);
         std::optional<double> value;
-        const bool is_constant =
-            std::ranges::all_of(list, [](const Part& part) { return part.value.has_value(); });
-        if (is_constant) {
-            value = known->of_two ? known->of_two(*list[0].value, *list[1].value)
-                                  : known->of_one(*list[0].value);
+        if (numbers.size() == list.size()) {
+            value =
+                known->of_two ? known->of_two(numbers[0], numbers[1]) : known->of_one(numbers[0]);
         }
         const auto is_never_negative = [](const Part& part) { return part.is_never_negative; };
         const bool is_extreme = name == "max" || name == "min";
@@ -420,7 +421,8 @@ private:
         std::vector<Part> list = arguments();
         expect_count("if", list.size(), 3);
         std::optional<double> value;
-        if (list[0].value) value = list[std::abs(*list[0].value) >= 0.5 ? 1 : 2].value;
+        if (const auto& condition = list[0].value)
+            value = list[std::abs(*condition) >= 0.5 ? 1 : 2].value;
         const bool is_never_negative = list[1].is_never_negative && list[2].is_never_negative;
         list[0].text = list[0].condition();
         Part part = called("if", std::move(list), value);

@@ -61,8 +61,9 @@ void add(std::string& sum, const std::string& what) {
 void expect_regular(const PovValue& by, const PovCursor& at) {
     std::array<double, 12> m{};
     for (std::size_t k = 0; k < m.size(); ++k) {
-        if (!by[k].value) at.fail("matrix", "must have numbers that do not move");
-        m[k] = *by[k].value;
+        const std::optional<double>& number = by[k].value;
+        if (!number) at.fail("matrix", "must have numbers that do not move");
+        m[k] = *number;
     }
     const double determinant = m[0] * (m[4] * m[8] - m[5] * m[7]) -
                                m[1] * (m[3] * m[8] - m[5] * m[6]) +
