@@ -3,14 +3,12 @@
 #include <algorithm>
 #include <cctype>
 #include <numeric>
-#include <span>
 #include <utility>
 
 namespace isomotion::base {
 namespace {
 
-constexpr std::size_t most_compared = 300; // names
-constexpr std::size_t longest_slip = 64;    // what is longer is no slip of the finger
+constexpr std::size_t longest_slip = 64; // what is longer is no slip of the finger
 
 // Insertions, deletions, substitutions and swaps of neighbours, letter case ignored.
 int edit_distance(std::string_view a, std::string_view b) {
@@ -38,8 +36,7 @@ std::string nearest_name(std::string_view word, const std::vector<std::string>& 
     std::string best;
     if (word.size() > longest_slip) return best;
     int best_distance = std::max(1, int(word.size()) / 3) + 1;
-    const auto compared = std::min(candidates.size(), most_compared);
-    for (const std::string& candidate : std::span(candidates).first(compared)) {
+    for (const std::string& candidate : candidates) {
         if (candidate.size() > 2 * longest_slip) continue;
         const int distance = edit_distance(word, candidate);
         // For one-letter names every other letter is one edit away: no suggestion is better.

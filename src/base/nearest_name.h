@@ -8,8 +8,7 @@
 namespace isomotion::base {
 
 // The candidate with the smallest edit distance to `word`; empty if none is close enough for a
-// typing mistake. Only the first 300 are compared: a file may give a mistake for each of many
-// thousand names.
+// typing mistake.
 std::string nearest_name(std::string_view word, const std::vector<std::string>& candidates);
 
 } // namespace isomotion::base

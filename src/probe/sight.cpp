@@ -187,9 +187,10 @@ Sight sight(const OneSurface& one, const OneSurfaceAt& now) {
     // Coordinates there are floats: at so many radii they are off by up to a 64th of a pixel, of a
     // picture 512 pixels high.
     constexpr double most_radii = 1000;
-    const auto& [shape, low, high, middle, radius] = now.surface.bounds;
-    const double away = std::max({std::abs(middle.x), std::abs(middle.y), std::abs(middle.z)});
-    if (away > most_radii * radius) found.far_middle = middle;
+    const scene::BoundsAt& bounds = now.surface.bounds;
+    const glm::dvec3 away = glm::abs(bounds.centre);
+    if (std::max({away.x, away.y, away.z}) > most_radii * bounds.radius)
+        found.far_middle = bounds.centre;
     return found;
 }
 

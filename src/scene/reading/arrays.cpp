@@ -200,7 +200,7 @@ void add_data(const ArrayNodes& nodes, Section section, const TableOptions& opti
     for (std::size_t k = 0; k < table.fields.size(); ++k) {
         const std::string& field = table.fields[k];
         if (nodes.fields.count(field)) continue;
-        // A radius that the scene has goes before that of an element, of which no file says a word.
+        // A parameter of the scene goes before the column that an element adds.
         if (table.of_elements.contains(field) && tracks.has(field)) continue;
         array.fields.push_back({field, animation::Column{k}});
         tracks.place(array.name + "." + field, section.dotted("file"), section.find("file"));

@@ -157,7 +157,8 @@ PovSolid PovSolidReader::named(PovCursor& at) {
     auto solid = found != declared_.end() ? std::optional(*found->second) : known_pov_solid(name);
     if (!solid) {
         std::vector<std::string> names;
-        for (const auto& [known, value] : declared_) names.push_back(known);
+        for (const auto& [known, value] : declared_)
+            if (names.size() < most_pov_names) names.push_back(known);
         const std::string near = base::nearest_name(name, names);
         at.fail("object",
                 fmt::format("'{}' is not declared before{}", name,

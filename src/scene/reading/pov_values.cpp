@@ -155,10 +155,10 @@ void PovValues::forget(const std::string& name) {
 std::string PovValues::parameter_of(const std::string& name) {
     std::string parameter = name;
     for (int times = 2;
-         is_parameter_.contains(parameter) || (parameter != name && values_.contains(parameter));
+         parameter_names_.contains(parameter) || (parameter != name && values_.contains(parameter));
          ++times)
         parameter = fmt::format("{}_{}", name, times);
-    is_parameter_.insert(parameter);
+    parameter_names_.insert(parameter);
     return parameter;
 }
 
@@ -391,7 +391,7 @@ PovValue PovValues::named(PovCursor& at) {
     }
     std::vector<std::string> names;
     for (const auto& [declared, values] : values_)
-        if (known(declared)) names.push_back(declared);
+        if (names.size() < most_pov_names && known(declared)) names.push_back(declared);
     const std::string near = base::nearest_name(name, names);
     at.fail(for_what_, near.empty() ? fmt::format("'{}' is not declared before", name)
                                     : fmt::format("'{}' is not declared before; did you mean '{}'?",

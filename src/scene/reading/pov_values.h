@@ -57,7 +57,7 @@ public:
 
     bool is_color(const PovWord& word) const;
     bool is_declared(const std::string& name) const {
-        return values_.contains(name) || is_parameter_.contains(name);
+        return values_.contains(name) || parameter_names_.contains(name);
     }
     // The name is declared again, as something that is no value.
     void forget(const std::string& name);
@@ -123,7 +123,7 @@ private:
 
     std::map<std::string, std::vector<Declared>> values_;    // in the order of the file
     std::map<std::string, std::vector<Function>> functions_; // in the order of the file
-    std::set<std::string> is_parameter_;
+    std::set<std::string> parameter_names_;
     std::vector<Parameter> parameters_;
     Names meaning_;
     std::string for_what_;

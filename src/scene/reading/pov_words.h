@@ -54,6 +54,10 @@ private:
     std::size_t at_ = 0;
 };
 
+// Names that a message looks through for the one that was meant. A file may have thousands of names
+// and of declarations that fail, each with a message that nobody may ever read.
+inline constexpr std::size_t most_pov_names = 300;
+
 // Counts what is being read within what.
 class PovDepth {
 public:
