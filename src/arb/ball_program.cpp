@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "arb/ball_noise.h"
+
 namespace isomotion::ball {
 namespace {
 
@@ -346,6 +348,10 @@ void BallProgram::operation(const Instruction& now, const formula::Bindings<doub
 #undef ROW
     case Op::random:
         random(ball, bindings.seed, operand(0), operand(1));
+        break;
+    case Op::noise:
+        ball = noise({operand(0), operand(1), operand(2)}, formula::NoiseOrder::unpacked(now.index),
+                     precision);
         break;
     case Op::chebyshev:
         chebyshev(ball, now.index, now.second, operand(0), precision);

@@ -30,6 +30,7 @@ const KernelTable& kernel_table() {
         {"math/cbrt.glsl", {"cbrt"}, {}},
         {"math/pow.glsl", {"pow"}, {"math/bits.glsl", "math/exp.glsl", "math/log.glsl"}},
         {"math/trig.glsl", {"sin", "cos", "tan"}, {"math/bits.glsl", "math/divide.glsl"}},
+        {"math/noise.glsl", {"noise"}, {"math/bits.glsl"}},
         {"math/inverse_trig.glsl", {"asin", "acos", "atan", "atan2", "angle"}, {"math/bits.glsl"}},
     };
     return table;
@@ -56,6 +57,7 @@ const KernelTable& interval_table() {
             {inverse_hyperbolic, {"asinh", "acosh"}, {arithmetic, "math/inverse_hyperbolic.glsl"}},
             {"interval/erf.glsl", {"erf"}, {arithmetic, "math/erf.glsl"}},
             {"interval/cbrt.glsl", {"cbrt"}, {arithmetic, "math/cbrt.glsl"}},
+            {"interval/noise.glsl", {"noise"}, {arithmetic, "math/noise.glsl"}},
             {"interval/pow.glsl", {"pow"}, {arithmetic, "math/pow.glsl"}},
             {trig, {"sin", "cos", "tan"}, {arithmetic, divide, "math/trig.glsl"}},
             {inverse_trig,
@@ -90,6 +92,7 @@ const KernelTable& double_interval_table() {
             {by_floats + "inverse_hyperbolic.glsl", {"asinh", "acosh"}, {around}},
             {by_floats + "erf.glsl", {"erf"}, {around}},
             {by_floats + "cbrt.glsl", {"cbrt"}, {around}},
+            {by_floats + "noise.glsl", {"noise"}, {around}},
             {by_floats + "pow.glsl", {"pow"}, {around}},
             {by_floats + "trig.glsl", {"sin", "cos", "tan"}, {around}},
             {by_floats + "inverse_trig.glsl", {"asin", "acos", "atan", "atan2", "angle"}, {around}},

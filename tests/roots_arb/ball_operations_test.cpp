@@ -77,8 +77,8 @@ INSTANTIATE_TEST_SUITE_P(
                     "atan(x)", "atan2(y, x)", "cos(3*atan2(y, x))", "sin(atan2(x - y, z) - z)",
                     "floor(x)", "x + y - z", "x*y", "x^2", "x^7", "x/y", "min(x, y)", "max(x, y)",
                     "smoothmin(x, y, 1)", "smoothmin(x, y, z)", "abs(x)^2.5", "abs(x)^y",
-                    "pow(x, 3)", "chebyshev(9, x/2)", "chebyshev(24, x/3)", "a*x + b*y + c",
-                    "sum(blobs, weight*exp(-(x - cx)^2))",
+                    "pow(x, 3)", "chebyshev(9, x/2)", "chebyshev(24, x/3)", "noise(x, y, z)",
+                    "fbm(x, y, z, 3)", "a*x + b*y + c", "sum(blobs, weight*exp(-(x - cx)^2))",
                     "sum(blobs, cx*sum(links, px*abs(y - py)))",
                     "least(blobs, (x - cx)^2 + (y - cy)^2)",
                     "greatest(blobs, cx*x + cy*y, cx - x)"));

@@ -10,6 +10,7 @@
 #include "formula/graph/functions.h"
 #include "formula/graph/operations.h"
 #include "formula/interval/interval_operations.h"
+#include "formula/interval/noise_enclosure.h"
 #include "formula/interval/rounding_upwards.h"
 #include "formula/interval/upward.h"
 
@@ -81,6 +82,15 @@ template<class Value> Value random(std::uint64_t seed, Value i, Value k) {
                    : Interval(0, 1);
     } else {
         return Value(random_unit(seed, double(i), double(k)));
+    }
+}
+
+template<class Value>
+[[gnu::noinline]] Value noise_at(Value x, Value y, Value z, const NoiseOrder& order) {
+    if constexpr (is_enclosure<Value>) {
+        return noise_enclosure(x, y, z, order);
+    } else {
+        return noise(x, y, z, order);
     }
 }
 
@@ -323,6 +333,12 @@ ISOMOTION_WIDER void Evaluator<T>::run(const Bindings<T>& bindings) {
         case Op::random:
             each([&](int l) { return random(bindings.seed, a[l], b[l]); });
             break;
+        case Op::noise: {
+            const Lanes<Value> c = lanes<Count, Value>(now.operands[2]);
+            const NoiseOrder order = NoiseOrder::unpacked(now.index);
+            nearest([&] { each([&](int l) { return noise_at(a[l], b[l], c[l], order); }); });
+            break;
+        }
         case Op::select: {
             const Lanes<Value> c = lanes<Count, Value>(now.operands[2]),
                                d = lanes<Count, Value>(now.operands[3]);

@@ -154,8 +154,8 @@ private:
             for (const Register argument : call.arguments) {
                 arguments += (arguments.empty() ? "" : ", ") + text_of(argument);
             }
-            line("{} {} = im_{}({});", single ? "float" : "vec2", name->second, call.kernel,
-                 arguments);
+            line("{} {} = im_{}({}{});", single ? "float" : "vec2", name->second, call.kernel,
+                 arguments, call.numbers);
         }
         names_[std::size_t(r)] = name->second + (single ? "" : result.component == 0 ? ".x" : ".y");
     }

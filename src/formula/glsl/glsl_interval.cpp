@@ -10,8 +10,10 @@
 
 #include "formula/glsl/array_texels.h"
 #include "formula/glsl/exact_results.h"
+#include "formula/glsl/kernel_calls.h"
 #include "formula/graph/functions.h"
 #include "formula/graph/lowering.h"
+#include "formula/interval/noise_enclosure.h"
 
 namespace isomotion::formula {
 namespace {
@@ -299,6 +301,13 @@ private:
                 (known(otherwise).may_rest && !known(then).may_be_subnormal);
             return;
         }
+        case Op::noise:
+            return define(
+                now.result,
+                fmt::format("im_noise({}, {}, {}{}, {})", interval(a), interval(b),
+                            interval(now.operands[2]), glsl_noise_order(now),
+                            float_text(float(noise_bound(NoiseOrder::unpacked(now.index))))),
+                false);
         case Op::chebyshev:
             if (now.second >= 2) {
                 const auto bound = float_text(rounded_chebyshev_at_one(now.index, now.second));

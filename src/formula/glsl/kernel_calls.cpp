@@ -1,5 +1,8 @@
 #include "formula/glsl/kernel_calls.h"
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
 #include "formula/graph/functions.h"
 
 namespace isomotion::formula {
@@ -24,7 +27,10 @@ public:
             if (!is_operation(now) || plan_.results.count(now.result) > 0) continue;
             const std::string_view name = kernel(now.op);
             if (name.empty()) continue;
-            add_call({name, {now.operands.begin(), now.operands.begin() + now.arity}, 1},
+            add_call({name,
+                      {now.operands.begin(), now.operands.begin() + now.arity},
+                      1,
+                      now.op == Op::noise ? glsl_noise_order(now) : std::string()},
                      {now.result});
         }
         return std::move(plan_);
@@ -97,6 +103,11 @@ private:
 };
 
 } // namespace
+
+std::string glsl_noise_order(const Instruction& noise) {
+    const NoiseOrder order = NoiseOrder::unpacked(noise.index);
+    return fmt::format(", ivec3({})", fmt::join(order.along, ", "));
+}
 
 KernelCalls kernel_calls(const Program& program) { return Planner(program).plan(); }
 

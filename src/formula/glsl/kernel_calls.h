@@ -21,7 +21,8 @@ namespace isomotion::formula {
 struct KernelCall {
     std::string_view kernel; // of im_<kernel>
     std::vector<Register> arguments;
-    int results = 1; // a float, or a vec2
+    int results = 1;       // a float, or a vec2
+    std::string numbers{}; // further arguments
 };
 
 struct KernelResult {
@@ -35,6 +36,9 @@ struct KernelCalls {
 };
 
 KernelCalls kernel_calls(const Program& program);
+
+// ", ivec3(1, 0, 0)": how often noise is differentiated along each axis.
+std::string glsl_noise_order(const Instruction& noise);
 
 // The operations ("exp", "pow", ...) for which a program needs kernels; each has a file in
 // shaders/math/.

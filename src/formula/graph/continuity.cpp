@@ -82,6 +82,17 @@ NodeId unless_at_cut(Graph& g, NodeId a, NodeId b) {
 
 } // namespace
 
+NodeId unless_between_cells(Graph& g, const Node& noise) {
+    const NoiseOrder order = NoiseOrder::unpacked(noise.index);
+    NodeId all = g.constant(0);
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        if (!jumps_between_cells(order.along[axis])) continue;
+        const NodeId cell = g.unary(Op::floor, noise.children[axis]);
+        all = g.add(all, unless_one_value(g, cell));
+    }
+    return all;
+}
+
 bool may_be_unbounded(Op op) {
     const Traits* row = traits(op);
     return row && row->extent == Extent::unbounded;
@@ -98,6 +109,7 @@ NodeId unless_continuous(Graph& g, NodeId id) {
     if (node.op == Op::power)
         return g.add(unless_bounded(g, id),
                      unless_0_to_the_0(g, node.children[0], node.children[1]));
+    if (node.op == Op::noise) return unless_between_cells(g, node);
     const auto [a, b, c, d] = node.children;
     if (breaks(node.op) == Breaks::cut) return unless_at_cut(g, a, b);
     if (breaks(node.op) == Breaks::axis) return unless_at_axis(g, a, b);

@@ -55,6 +55,17 @@ private:
             const bool rests = g_.is_constant(d(0), 0) && g_.is_constant(d(1), 0);
             return rests ? zero() : jumps(id);
         }
+        case Op::noise: {
+            NodeId slope = zero();
+            for (std::size_t axis = 0; axis < 3; ++axis) {
+                NoiseOrder order = NoiseOrder::unpacked(node.index);
+                if (g_.is_constant(d(int(axis)), 0)) continue;
+                ++order.along[axis];
+                const NodeId along = g_.noise({a, b, node.children[2]}, order);
+                slope = g_.add(slope, g_.multiply(along, d(int(axis))));
+            }
+            return g_.is_constant(slope, 0) ? slope : g_.add(slope, jumps(id));
+        }
         case Op::select: {
             const NodeId slope = g_.select(a, b, d(2), d(3));
             return is_choice(node) ? g_.add(slope, jumps(id)) : slope;

@@ -129,13 +129,14 @@ private:
     // The parts of a vector, where one is an argument: vec2(a, b), p for the point, p.xy. Stays
     // where there is none.
     std::optional<std::vector<NodeId>> accept_vector();
-    std::vector<NodeId> parts_of_length(std::size_t begin);
+    std::vector<NodeId> parts_of_vector(std::string_view function, std::size_t begin);
     // A function of x, y and z that stands for its value: twist(body, 2).
     std::optional<NodeId> function_at_the_point(std::string_view word, std::size_t begin);
     // Behind p: nothing, or .xy and the like.
     std::optional<std::vector<NodeId>> parts_of_point();
     std::vector<NodeId> argument_list();
     NodeId chebyshev();
+    NodeId fbm(std::size_t begin);
     NodeId dot(std::size_t begin);
     // sum(array, a), least(array, a), greatest(array, a); for the last two also what is asked of
     // that element.

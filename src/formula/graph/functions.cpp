@@ -20,6 +20,10 @@ template<Op op> NodeId folded(Graph& g, Arguments arguments) {
     return result;
 }
 
+NodeId noise(Graph& g, Arguments arguments) {
+    return g.noise({arguments[0], arguments[1], arguments[2]});
+}
+
 template<Op op> NodeId of_two(Graph& g, Arguments arguments) {
     return g.binary(op, arguments[0], arguments[1]);
 }
@@ -53,9 +57,11 @@ constexpr std::array table{
     Function{"max", "a, b, ...", 2, true, folded<Op::max>, nullptr},
     Function{"atan2", "y, x", 2, false, of_two<Op::atan2>, nullptr},
     Function{"smoothmin", "a, b, k", 3, false, of_three<smoothmin>, nullptr},
+    Function{"noise", "a, b, c", 3, false, noise, nullptr, Naming::free},
     // The parser reads these itself: a power fails as ^ does; a degree and an array are no values.
     Function{"pow", "a, b", 2, false, nullptr, nullptr},
     Function{"chebyshev", "n, a", 2, false, nullptr, nullptr},
+    Function{"fbm", "a, b, c, octaves", 4, false, nullptr, nullptr, Naming::free},
     Function{"sum", "array, expression", 2, false, nullptr, nullptr},
     Function{"least", "array, expression", 2, false, nullptr, nullptr},
     Function{"greatest", "array, expression", 2, false, nullptr, nullptr},
@@ -126,6 +132,7 @@ bool may_jump(Op op) { return has_steps(op) || breaks(op) == Breaks::cut; }
 
 std::string_view kernel(Op op) {
     if (op == Op::power) return "pow";
+    if (op == Op::noise) return name(op);
     const Traits* row = traits(op);
     return row && row->shader == Shader::kernel ? name(op) : std::string_view{};
 }

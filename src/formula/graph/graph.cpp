@@ -1,5 +1,6 @@
 #include "formula/graph/graph.h"
 
+#include <algorithm>
 #include <bit>
 #include <cassert>
 #include <cmath>
@@ -373,6 +374,13 @@ NodeId Graph::make(Op op, NodeId a, NodeId b) {
     return intern(node);
 }
 
+NodeId Graph::make(Op op, int index, const std::array<NodeId, 3>& operands) {
+    Node node = leaf(op, index);
+    node.arity = 3;
+    std::ranges::copy(operands, node.children.begin());
+    return intern(node);
+}
+
 NodeId Graph::make_commutative(Op op, NodeId a, NodeId b) {
     const auto rank = [this](NodeId id) {
         return std::tuple(!is_constant(id), std::popcount(nodes_[id].arrays), id);
@@ -393,10 +401,16 @@ NodeId Graph::select(NodeId a, NodeId b, NodeId then, NodeId otherwise, Op slope
 }
 
 NodeId Graph::at(int input, const std::array<NodeId, 3>& point) {
-    Node node = leaf(Op::at, input);
-    node.arity = 3;
-    std::ranges::copy(point, node.children.begin());
-    return intern(node);
+    return make(Op::at, input, point);
+}
+
+NodeId Graph::noise(const std::array<NodeId, 3>& place, const NoiseOrder& order) {
+    if (std::ranges::any_of(order.along, [](int n) { return n > NoiseOrder::most; }))
+        return constant(0);
+    const auto number = [&](std::size_t axis) { return nodes_[place[axis]].value; };
+    if (!exactly_ && std::ranges::all_of(place, [&](NodeId id) { return is_constant(id); }))
+        return constant(formula::noise(number(0), number(1), number(2), order));
+    return make(Op::noise, order.packed(), place);
 }
 
 NodeId Graph::chebyshev(int degree, NodeId a, int derivative) {
@@ -493,6 +507,8 @@ std::string_view name(Op op) {
         return "random";
     case Op::chebyshev:
         return "chebyshev";
+    case Op::noise:
+        return "noise";
     case Op::select:
         return "select";
     case Op::at:

@@ -17,6 +17,7 @@
 
 #include "formula/graph/function_table.h"
 #include "formula/graph/limits.h"
+#include "formula/graph/noise.h"
 
 namespace isomotion::formula {
 
@@ -36,6 +37,7 @@ enum class Op : std::uint8_t {
 #undef ROW
     random,    // random(i, k) in [0, 1): CPU double only
     chebyshev, // `second`-th derivative of T_index(a)
+    noise,     // gradient noise at (a, b, c), differentiated as `index` packs it: noise.h
     select,    // a < b ? c : d; `index`: Graph::select's slope_of
     sum,       // sum of a over the elements of array `index`
     least,     // the least a over them; saturation without elements
@@ -100,6 +102,7 @@ public:
     NodeId select(NodeId a, NodeId b, NodeId then, NodeId otherwise, Op slope_of = Op::constant);
     // The `derivative`-th derivative of the Chebyshev polynomial T_degree at a; degree >= 0.
     NodeId chebyshev(int degree, NodeId a, int derivative = 0);
+    NodeId noise(const std::array<NodeId, 3>& place, const NoiseOrder& order = {});
     NodeId sum(int array, NodeId body);
     NodeId least(int array, NodeId key) { return over_elements(Op::least, array, key); }
     NodeId pick(int array, NodeId key, NodeId value);
@@ -129,6 +132,7 @@ private:
     NodeId over_elements(Op op, int array, NodeId a);
     NodeId make(Op op, NodeId a);
     NodeId make(Op op, NodeId a, NodeId b);
+    NodeId make(Op op, int index, const std::array<NodeId, 3>& operands);
     // A canonical order for commutative operations: constants first, then values computed outside
     // of loops. So x*y and y*x are one node.
     NodeId make_commutative(Op op, NodeId a, NodeId b);

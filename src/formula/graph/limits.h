@@ -20,6 +20,7 @@ inline constexpr std::size_t formula_nodes = 100'000; // of the graph as read fr
 // one, as do second derivatives of high Chebyshev polynomials.
 inline constexpr std::size_t graph_nodes = 2'000'000;
 inline constexpr int chebyshev_degree = 1000;
+inline constexpr int octaves = 12; // of fbm
 // Length of a chain of parameters or fields each of which names the next: rules over time are
 // evaluated by recursion.
 inline constexpr std::size_t chain = 200;

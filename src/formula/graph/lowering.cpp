@@ -5,6 +5,7 @@
 #include <unordered_map>
 
 #include "formula/graph/operations.h"
+#include "formula/graph/substitute.h"
 
 namespace isomotion::formula {
 namespace {
@@ -71,24 +72,9 @@ NodeId lower_chebyshev(Graph& g, int n, int k, NodeId a, Products products) {
 
 NodeId lower_one(Graph& g, const Node& node, const std::array<NodeId, 4>& children,
                  Products products) {
-    switch (node.op) {
-    case Op::chebyshev:
-        return lower_chebyshev(g, node.index, node.second, children[0], products);
-    case Op::sum:
-        return g.sum(node.index, children[0]);
-    case Op::least:
-        return g.least(node.index, children[0]);
-    case Op::pick:
-        return g.pick(node.index, children[0], children[1]);
-    case Op::which:
-        return g.which(node.index, children[0]);
-    case Op::select:
-        return g.select(children[0], children[1], children[2], children[3], Op(node.index));
-    default:
-        break;
-    }
-    return node.arity == 1 ? g.unary(node.op, children[0])
-                           : g.binary(node.op, children[0], children[1]);
+    return node.op == Op::chebyshev
+               ? lower_chebyshev(g, node.index, node.second, children[0], products)
+               : remade(g, node, children);
 }
 
 std::vector<NodeId> lower(Graph& graph, std::span<const NodeId> roots, Products products) {

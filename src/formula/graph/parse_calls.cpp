@@ -124,6 +124,7 @@ NodeId FormulaParser::called_by(std::string_view name, std::size_t begin) {
     if (name == function_) fail(begin, fmt::format("'{}' calls itself", name));
     if (name == "sum" || name == "least" || name == "greatest") return over_elements(name, begin);
     if (name == "chebyshev") return chebyshev();
+    if (name == "fbm") return fbm(begin);
     if (name == "dot") return dot(begin);
     const Function* function = find_function(name);
     if (!function) {
@@ -132,7 +133,7 @@ NodeId FormulaParser::called_by(std::string_view name, std::size_t begin) {
     }
     const std::size_t first_argument = at_;
     const std::vector<NodeId> arguments =
-        name == "length" ? parts_of_length(begin) : argument_list();
+        name == "length" || name == "noise" ? parts_of_vector(name, begin) : argument_list();
     if (name == "random" && !vocabulary_.allows_random) {
         fail(begin, "random is for animation: give a parameter or an array field its value "
                     "with random(i, k), not the formula");
@@ -152,7 +153,7 @@ NodeId FormulaParser::called_by(std::string_view name, std::size_t begin) {
 
 void FormulaParser::need_arguments(const Function& function, std::size_t given,
                                    std::size_t begin) const {
-    constexpr std::array words{"no", "one", "two", "three"};
+    constexpr std::array words{"no", "one", "two", "three", "four"};
     if (function.may_have_more) {
         if (given >= function.count) return;
         fail(begin, fmt::format("{} takes {} or more", function.name, words.at(function.count)));
@@ -217,12 +218,48 @@ std::vector<NodeId> FormulaParser::argument_list() {
 }
 
 // length(a, b, c), and length of a vector.
-std::vector<NodeId> FormulaParser::parts_of_length(std::size_t begin) {
+std::vector<NodeId> FormulaParser::parts_of_vector(std::string_view function, std::size_t begin) {
     const auto parts = accept_vector();
     if (!parts) return argument_list();
     skip_space();
-    if (!accept(closing_)) fail(begin, "length takes one vector, or the parts of one");
+    if (!accept(closing_))
+        fail(begin, fmt::format("{} takes one vector, or the parts of one", function));
     return *parts;
+}
+
+// Octaves of noise, each of half the size and twice the frequency of the one before. They are
+// shifted, since all are 0 at their lattice points.
+NodeId FormulaParser::fbm(std::size_t begin) {
+    std::vector<NodeId> arguments;
+    if (const auto place = accept_vector()) {
+        arguments = *place;
+        expect(',', "between the place and the octaves of fbm");
+        arguments.push_back(expression());
+        expect_closing("to close the argument list");
+    } else {
+        arguments = argument_list();
+    }
+    need_arguments(*find_function("fbm"), arguments.size(), begin);
+    const NodeId octaves = arguments[3];
+    const double count = graph_.is_constant(octaves) ? graph_[octaves].value : 0;
+    if (!(count >= 1) || count != std::floor(count) || count > limits::octaves) {
+        fail(begin, fmt::format("the octaves of fbm(a, b, c, octaves) must be a constant integer "
+                                "from 1 to {}",
+                                limits::octaves));
+    }
+    constexpr std::array shift{0.296875, 0.609375, 0.828125};
+    NodeId sum = graph_.constant(0);
+    double frequency = 1;
+    for (int octave = 0; octave < int(count); ++octave, frequency *= 2) {
+        std::array<NodeId, 3> place{};
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            const NodeId scaled = graph_.multiply(graph_.constant(frequency), arguments[axis]);
+            place[axis] = graph_.add(scaled, graph_.constant(octave * shift[axis]));
+        }
+        const NodeId size = graph_.constant(1 / frequency);
+        sum = graph_.add(sum, graph_.multiply(size, graph_.noise(place)));
+    }
+    return checked(sum, begin, out_of_range);
 }
 
 NodeId FormulaParser::dot(std::size_t begin) {

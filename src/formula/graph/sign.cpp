@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "formula/graph/functions.h"
+#include "formula/interval/noise_enclosure.h"
 
 namespace isomotion::formula {
 namespace {
@@ -29,6 +30,8 @@ double most_magnitude(const Graph& g, NodeId id, int depth) {
     case Op::min:
     case Op::max:
         return std::max(child(0), child(1));
+    case Op::noise:
+        return noise_bound(NoiseOrder::unpacked(node.index));
     default: {
         const Traits* row = traits(node.op);
         return row && row->extent == Extent::unit ? 1 : HUGE_VAL;

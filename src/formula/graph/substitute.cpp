@@ -18,6 +18,8 @@ NodeId remade(Graph& to, const Node& node, const std::array<NodeId, 4>& children
         return to.select(children[0], children[1], children[2], children[3], Op(node.index));
     case Op::at:
         return to.at(node.index, {children[0], children[1], children[2]});
+    case Op::noise:
+        return to.noise({children[0], children[1], children[2]}, NoiseOrder::unpacked(node.index));
     case Op::chebyshev:
         return to.chebyshev(node.index, children[0], node.second);
     case Op::sum:

@@ -313,7 +313,8 @@ std::optional<Tape> tape_of(std::span<const TapeSource> sources) {
         const std::vector<bool> exact = exact_results(program);
         for (const Instruction& now : program.instructions) {
             const bool is_known = now.kind == Instruction::Kind::operation &&
-                                  now.op != Op::element && now.op != Op::random;
+                                  now.op != Op::element && now.op != Op::random &&
+                                  now.op != Op::noise;
             if (!is_known) return {};
             TapeStep step{
                 .op = now.op, .arity = now.arity, .index = now.index, .second = now.second};

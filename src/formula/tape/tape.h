@@ -45,7 +45,8 @@ struct TapeSource {
 };
 
 // Joins several programs: the outputs of the first come before those of the next. Steps that they
-// share are done once. None for programs with loops over elements. Parameters are steps yet.
+// share are done once. None for programs with loops over elements or noise. Parameters are steps
+// yet.
 std::optional<Tape> tape_of(std::span<const TapeSource> sources);
 
 // The tape with parameters for constants.

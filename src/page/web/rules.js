@@ -16,6 +16,34 @@ function errorFunction(a) {
     return (2 / Math.sqrt(Math.PI)) * Math.exp(-a * a) * sum;
 }
 
+// Gradient noise: src/formula/graph/noise.h.
+function noise(x, y, z) {
+    const low = [x, y, z].map(Math.floor);
+    const [u, v, w] = [x - low[0], y - low[1], z - low[2]];
+    const primes = [0x9e3779b1, 0x85ebca77, 0xc2b2ae3d];
+    const period = 2 ** 20;
+    const fade = (t) => t * t * t * (10 + t * (6 * t - 15));
+    let sum = 0;
+    for (let corner = 0; corner < 8; ++corner) {
+        const which = [corner & 1, (corner >> 1) & 1, corner >> 2];
+        let h = 0;
+        for (const [k, prime] of primes.entries()) {
+            const wrapped = low[k] - period * Math.floor(low[k] / period) + which[k];
+            h ^= Math.imul(wrapped % period, prime);
+        }
+        h = Math.imul(h ^ (h >>> 15), 0x2c1b3c6d);
+        h = Math.imul(h ^ (h >>> 12), 0x297a2d39);
+        h ^= h >>> 15;
+        const across = ((h >>> 16) * 3) >>> 16;
+        const away = [u - which[0], v - which[1], w - which[2]];
+        const along = away.filter((_, axis) => axis !== across);
+        const rise = (h & 1 ? -along[0] : along[0]) + (h & 2 ? -along[1] : along[1]);
+        const weights = [u, v, w].map((t, axis) => (which[axis] ? fade(t) : 1 - fade(t)));
+        sum += rise * weights[0] * weights[1] * weights[2];
+    }
+    return sum;
+}
+
 const operations = {
     negate: (a) => -a,
     abs: Math.abs,
@@ -53,6 +81,7 @@ const operations = {
         if (a === 0) return b > 0 ? 0 : saturation;
         return saturated(a ** b);
     },
+    noise,
     select: (a, b, then, otherwise) => (a < b ? then : otherwise),
 };
 

@@ -83,10 +83,11 @@ INSTANTIATE_TEST_SUITE_P(
                     Rule{"smoothmin(x*y, y^2 - 1, 20)"}, Rule{"sinh(x*y)"}, Rule{"cosh(x-y)"},
                     Rule{"tanh(x*y)"}, Rule{"asin(x*y)", -0.75, 0.75},
                     Rule{"acos(x*y)", -0.75, 0.75}, Rule{"asinh(x*y)"}, Rule{"acosh(x*y)", 1.25, 2},
-                    Rule{"acosh(x) + y", -2, 0.875}, Rule{"erf(x*y)"}, Rule{"cbrt(x*y)", 0.5, 2},
-                    Rule{"cbrt(x)*y", -2, -0.5}, Rule{"atan(x*y)"}, Rule{"atan2(y, x)", 0.5, 2},
-                    Rule{"atan2(x - 3, y)*x", -2, -0.5}, Rule{"cos(2*atan2(x, y))", -2, -0.5},
-                    Rule{"chebyshev(5,x*y)", -1, 1}, Rule{"chebyshev(30,x)+y*x", -0.875, 0.875}));
+                    Rule{"acosh(x) + y", -2, 0.875}, Rule{"erf(x*y)"}, Rule{"noise(x, 2*y, x*y)"},
+                    Rule{"cbrt(x*y)", 0.5, 2}, Rule{"cbrt(x)*y", -2, -0.5}, Rule{"atan(x*y)"},
+                    Rule{"atan2(y, x)", 0.5, 2}, Rule{"atan2(x - 3, y)*x", -2, -0.5},
+                    Rule{"cos(2*atan2(x, y))", -2, -0.5}, Rule{"chebyshev(5,x*y)", -1, 1},
+                    Rule{"chebyshev(30,x)+y*x", -0.875, 0.875}));
 
 INSTANTIATE_TEST_SUITE_P(Powers, Rules,
                          testing::Values(Rule{"x^2.5", 0.5, 2}, Rule{"x^m*y", 0.5, 2},

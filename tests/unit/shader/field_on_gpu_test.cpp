@@ -183,8 +183,8 @@ const std::vector<std::string>& operation_formulas() {
     static const std::vector<std::string> formulas{
         "-(x*y)", "abs(x)", "sign(x)", "sqrt(x)", "exp(x)", "log(x)", "sin(x)", "cos(x)", "tan(x)",
         "sinh(x)", "cosh(x)", "tanh(x)", "asin(x)", "acos(x)", "atan(x)", "asinh(x)", "acosh(x)",
-        "erf(x)", "cbrt(x)", "cbrt(x*y)*erf(z)", "asinh(x)*acosh(y + 2)", "floor(x)", "x + y",
-        "x - y", "x*y", "x/y", "min(x, y)", "max(x, y)", "min(x, y, z, 0.5)",
+        "erf(x)", "noise(3*x, y, z)", "cbrt(x)", "cbrt(x*y)*erf(z)", "asinh(x)*acosh(y + 2)",
+        "floor(x)", "x + y", "x - y", "x*y", "x/y", "min(x, y)", "max(x, y)", "min(x, y, z, 0.5)",
         "smoothmin(x, y, 0.5)", "smoothmin(x, y, z)", "x^y", "x^a", "a^x", "x^0.5", "x^3", "x^-3",
         "x^24", "x^25", "x^101", "(-2)^x", "0^x", "pow(abs(x), y)", "chebyshev(5, x)",
         "chebyshev(40, x)", "1e39*x", "1e-42*x", "x*0.1 + 0.3",
