@@ -1,4 +1,4 @@
-// im_noise. Needs bits.glsl. src/formula/graph/noise.h defines it.
+// im_noise. Needs no other file. src/formula/graph/noise.h defines it.
 
 // The lattice repeats, so that its points are whole numbers in 20 bits.
 uvec3 im_lattice_point(vec3 whole) {

@@ -30,7 +30,7 @@ const KernelTable& kernel_table() {
         {"math/cbrt.glsl", {"cbrt"}, {}},
         {"math/pow.glsl", {"pow"}, {"math/bits.glsl", "math/exp.glsl", "math/log.glsl"}},
         {"math/trig.glsl", {"sin", "cos", "tan"}, {"math/bits.glsl", "math/divide.glsl"}},
-        {"math/noise.glsl", {"noise"}, {"math/bits.glsl"}},
+        {"math/noise.glsl", {"noise"}, {}},
         {"math/inverse_trig.glsl", {"asin", "acos", "atan", "atan2", "angle"}, {"math/bits.glsl"}},
     };
     return table;

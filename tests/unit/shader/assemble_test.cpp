@@ -367,7 +367,7 @@ TEST_F(Assemble, ArraysAreStoredWhereTheyFit) {
 TEST_F(Assemble, EachFileAppearsOnce) {
     const auto* all_kernels =
         "sqrt(x)/y + exp(x)^y + log(x) + sin(x) + tan(y) + asin(x) + tanh(x) + "
-        "asinh(x) + erf(x) + cbrt(x)";
+        "asinh(x) + erf(x) + cbrt(x) + noise(x, y, z)";
     for (const auto& method : every_method) {
         for (const auto& bounds : every_bounds) {
             const Passes passes =
@@ -391,7 +391,7 @@ TEST_F(Assemble, EveryShaderFileIsUsedBySomeScene) {
         for (const auto& file : passes.files()) used.insert(file);
     };
     const auto* all_kernels = "sqrt(x)/y + exp(x)^y + log(x) + sin(x) + asin(x) + chebyshev(5, x) "
-                              "+ asinh(x) + erf(x) + cbrt(x)";
+                              "+ asinh(x) + erf(x) + cbrt(x) + noise(x, y, z)";
     for (const auto& method : every_method) {
         for (const auto& bounds : every_bounds) {
             const Passes passes =

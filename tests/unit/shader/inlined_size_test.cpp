@@ -52,7 +52,8 @@ TEST(InlinedSize, MarchesCountTwice) {
 
 double size_of(int terms) {
     std::string formula = "z";
-    for (int k = 1; k <= terms; ++k) formula += fmt::format("*(1 + 0.01*sin({0}*x)*cos({0}.5*y))", k);
+    for (int k = 1; k <= terms; ++k)
+        formula += fmt::format("*(1 + 0.01*sin({0}*x)*cos({0}.5*y))", k);
     use_shaders_of_source_tree();
     const Passes passes =
         assemble(scene_of("[surface]\nbounds = { sphere = 2 }\nformula = \"" + formula + "\"\n"));

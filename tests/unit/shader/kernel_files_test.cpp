@@ -81,7 +81,7 @@ TEST_F(KernelFiles, AKernelComesWithWhatItsFileNeeds) {
         "sqrt(x)/y + exp(x)^y + log(x) + sin(x) + cos(x) + tan(x) + sinh(x) + cosh(x) + tanh(x) + "
         "asin(x) + acos(x) + atan(x) + atan2(y, x) + cos(atan2(y, x)) + asinh(x) + acosh(x) + "
         "erf(x) + "
-        "cbrt(x)",
+        "cbrt(x) + noise(x, y, z)",
         {});
     EXPECT_EQ(formula::kernels_used(every.value), kernels);
 }
