@@ -59,7 +59,7 @@ Ball noise(const std::array<Ball, 3>& place, const formula::NoiseOrder& order, s
         return all;
     }
     const double bound = formula::noise_bound(order);
-    const Ball anywhere(-bound, bound);
+    Ball anywhere(-bound, bound);
     std::array<std::array<double, 2>, 3> met;
     std::ranges::transform(place, met.begin(), cells);
     constexpr double most_cells = 3, exact_up_to = 0x1p53;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <stdexcept>
 
 #include "base/nearest_name.h"
 #include "formula/graph/composed_functions.h"
@@ -95,13 +96,15 @@ std::optional<NodeId> FormulaParser::at_another_point(std::string_view word) {
         at_ = end;
         return std::nullopt;
     }
-    const NodeId of = named(word).value();
+    const std::optional<NodeId> of = named(word);
     const std::size_t begin = at_;
-    const Enclosed enclosed(*this, accept_opening().value());
+    const std::optional<char> closing = accept_opening();
+    if (!of || !closing) throw std::logic_error("a named part, and its point in parentheses");
+    const Enclosed enclosed(*this, *closing);
     const std::vector<NodeId> point = argument_list();
     const std::size_t first = graph_.size();
     const NodeId moved = made(begin, [&] {
-        return at_point(graph_, of, {point[0], point[1], point[2]}, work());
+        return at_point(graph_, *of, {point[0], point[1], point[2]}, work());
     });
     check_constants(first, word, begin);
     return moved;
