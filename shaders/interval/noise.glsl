@@ -10,7 +10,8 @@ REAL2 im_bump(REAL2 t) {
     return REAL2(ends.x, IM_SELECT(t.x <= 0.5 && t.y >= 0.5, 0.25, ends.y));
 }
 
-// Both terms of the fades are within 2^-20 of themselves.
+// Rises. The number's fade is within 2^-20 of itself: half of that for t up to 1/2, by counting the
+// roundings of its terms, and as much beyond, where 1 - t is exact.
 REAL2 im_fade(REAL2 t) {
     REAL2 ends = im_widen(REAL2(im_fade(t.x), im_fade(t.y)), 9.53674316e-7);
     return clamp(ends, 0.0, 1.0);

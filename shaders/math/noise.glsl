@@ -41,35 +41,39 @@ float im_fade(float t, int order) {
                         : 0.0;
 }
 
-// The weights of both corners along an axis: of values in `a`, of slopes in `b`.
-void im_noise_weights(float t, int order, out vec2 a, out vec2 b) {
-    float far = im_fade(t, order);
-    a = vec2(order == 0 ? im_fade(1.0 - t) : -far, far);
-    b = vec2(t, t - 1.0) * a;
-    float lower = order == 0 ? 0.0 : im_fade(t, order - 1);
-    if (order > 0) b += float(order) * vec2(order == 1 ? 1.0 - lower : -lower, lower);
+// The weights of both corners along an axis: of values in x, of slopes in y.
+void im_noise_weights(float t, int order, out vec2 near, out vec2 far) {
+    far.x = im_fade(t, order);
+    near.x = order == 0 ? im_fade(1.0 - t) : -far.x;
+    near.y = t * near.x;
+    far.y = (t - 1.0) * far.x;
+    if (order > 0) {
+        float lower = im_fade(t, order - 1);
+        near.y += float(order) * (order == 1 ? 1.0 - lower : -lower);
+        far.y += float(order) * lower;
+    }
+}
+
+float im_noise_of_corner(uvec3 corner, vec2 x, vec2 y, vec2 z) {
+    vec3 slope = im_noise_gradient(corner);
+    return (slope.x * x.y * y.x + slope.y * x.x * y.y) * z.x + slope.z * x.x * y.x * z.y;
 }
 
 float im_noise(float x, float y, float z, ivec3 order) {
     vec3 whole = floor(vec3(x, y, z));
     precise vec3 t = vec3(x, y, z) - whole;
     uvec3 cell = im_lattice_point(whole);
-    vec2 ax, ay, az, bx, by, bz;
-    im_noise_weights(t.x, order.x, ax, bx);
-    im_noise_weights(t.y, order.y, ay, by);
-    im_noise_weights(t.z, order.z, az, bz);
+    vec2 x0, x1, y0, y1, z0, z1;
+    im_noise_weights(t.x, order.x, x0, x1);
+    im_noise_weights(t.y, order.y, y0, y1);
+    im_noise_weights(t.z, order.z, z0, z1);
     float sum = 0.0;
     for (uint k = 0u; k < 2u; ++k) {
-        float a = k == 0u ? az.x : az.y, b = k == 0u ? bz.x : bz.y;
-        // The slopes along x, y and z of the corners (0, 0), (1, 0), (0, 1) and (1, 1) of a face.
-        vec3 g = im_noise_gradient(cell + uvec3(0u, 0u, k));
-        sum += (g.x * bx.x * ay.x + g.y * ax.x * by.x) * a + g.z * ax.x * ay.x * b;
-        g = im_noise_gradient(cell + uvec3(1u, 0u, k));
-        sum += (g.x * bx.y * ay.x + g.y * ax.y * by.x) * a + g.z * ax.y * ay.x * b;
-        g = im_noise_gradient(cell + uvec3(0u, 1u, k));
-        sum += (g.x * bx.x * ay.y + g.y * ax.x * by.y) * a + g.z * ax.x * ay.y * b;
-        g = im_noise_gradient(cell + uvec3(1u, 1u, k));
-        sum += (g.x * bx.y * ay.y + g.y * ax.y * by.y) * a + g.z * ax.y * ay.y * b;
+        vec2 zk = k == 0u ? z0 : z1;
+        sum += im_noise_of_corner(cell + uvec3(0u, 0u, k), x0, y0, zk);
+        sum += im_noise_of_corner(cell + uvec3(1u, 0u, k), x1, y0, zk);
+        sum += im_noise_of_corner(cell + uvec3(0u, 1u, k), x0, y1, zk);
+        sum += im_noise_of_corner(cell + uvec3(1u, 1u, k), x1, y1, zk);
     }
     return sum;
 }

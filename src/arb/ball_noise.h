@@ -8,8 +8,8 @@
 
 namespace isomotion::ball {
 
-// The hull over the cells that the balls meet, or the bound of all space if these are many. A ball
-// without bounds gives one without bounds.
+// The hull of the polynomials of the cells that the balls meet, or the bound of all space where
+// these are many. Indeterminate where an operand is without bounds.
 Ball noise(const std::array<Ball, 3>& place, const formula::NoiseOrder& order, slong precision);
 
 } // namespace isomotion::ball

@@ -33,7 +33,7 @@ u = "random(i, 1) - 0.5"
 v = {list}
 cx = "sin(2*pi*t)*u + cos(i)*sign(t - 2){and_held}"
 cy = "v*c + 0.1*sinh(t)*cosh(u)/p - 0.1*asin(c/4)*acos(c/4) + sqrt(t)*atan(t*u){and_held}"
-cz = "min(sin(i*c + t), max(exp(-t), log(1 + t)))*i/n + tan(u)*tanh(t) + 0.1*asinh(v)*acosh(1 + t) + 0.1*erf(u*t)*cbrt(v) + 1e10*max(1 - i, 0)*(exp(t)*exp(-t) - 1){and_held}"
+cz = "min(sin(i*c + t), max(exp(-t), log(1 + t)))*i/n + tan(u)*tanh(t) + 0.1*asinh(v)*acosh(1 + t) + 0.1*erf(u*t)*cbrt(v) + noise(1.3*t, i - 2.5, v) + 1e10*max(1 - i, 0)*(exp(t)*exp(-t) - 1){and_held}"
 """
 # A track of keys, which a page does not work out; it adds 0.
 HELD = {"held": "k = { keys = [[0, 0], [4, 0]] }", "and_held": " + k"}

@@ -10,7 +10,6 @@
 #include "formula/graph/functions.h"
 #include "formula/graph/operations.h"
 #include "formula/interval/interval_operations.h"
-#include "formula/interval/noise_enclosure.h"
 #include "formula/interval/rounding_upwards.h"
 #include "formula/interval/upward.h"
 
@@ -85,15 +84,6 @@ template<class Value> Value random(std::uint64_t seed, Value i, Value k) {
     }
 }
 
-template<class Value>
-[[gnu::noinline]] Value noise_at(Value x, Value y, Value z, const NoiseOrder& order) {
-    if constexpr (is_enclosure<Value>) {
-        return noise_enclosure(x, y, z, order);
-    } else {
-        return noise(x, y, z, order);
-    }
-}
-
 // `each` sets the result at each point.
 template<class Value, class Each>
 [[gnu::always_inline]] inline void multiply(Product product, const Lanes<Value>& a,
@@ -130,6 +120,7 @@ Evaluator<T>::Evaluator(const Program& program)
     : plan_(plan(program, is_interval<T>))
     , registers_(std::size_t(plan_.registers) * Lanes<T>::parts * block) {
     for (const Step& step : plan_.steps) {
+        if (step.op == Op::noise) noise_.try_emplace(step.index, NoiseOrder::unpacked(step.index));
         if (step.op != Op::chebyshev) continue;
         const std::pair which{step.index, step.second};
         if (!chebyshev_.contains(which))
@@ -335,8 +326,13 @@ ISOMOTION_WIDER void Evaluator<T>::run(const Bindings<T>& bindings) {
             break;
         case Op::noise: {
             const Lanes<Value> c = lanes<Count, Value>(now.operands[2]);
-            const NoiseOrder order = NoiseOrder::unpacked(now.index);
-            nearest([&] { each([&](int l) { return noise_at(a[l], b[l], c[l], order); }); });
+            if constexpr (is_enclosure<Value>) {
+                const NoiseEnclosure& enclose = noise_.at(now.index);
+                nearest([&] { each([&](int l) { return enclose(a[l], b[l], c[l]); }); });
+            } else {
+                const NoiseOrder order = NoiseOrder::unpacked(now.index);
+                each([&](int l) { return noise<Value>(a[l], b[l], c[l], order); });
+            }
             break;
         }
         case Op::select: {

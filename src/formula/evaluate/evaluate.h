@@ -12,6 +12,7 @@
 #include "formula/evaluate/plan.h"
 #include "formula/graph/program.h"
 #include "formula/interval/chebyshev_enclosure.h"
+#include "formula/interval/noise_enclosure.h"
 
 namespace isomotion::formula {
 
@@ -81,6 +82,7 @@ private:
     Plan plan_;
     Registers<typename Lanes<T>::Part> registers_;                // [register][part][lane]
     std::map<std::pair<int, int>, ChebyshevEnclosure> chebyshev_; // by degree and derivative
+    std::map<int, NoiseEnclosure> noise_;                         // by order, packed
     struct OpenLoop {
         std::size_t begin;
         int array;

@@ -40,9 +40,9 @@ namespace lattice {
 inline constexpr double period = 1 << 20;
 
 // The lattice point of the period that a whole number stands for; 0 for what is no number.
-template<class T> std::uint32_t point(T whole) {
-    const T within = whole - T(period) * std::floor(whole / T(period));
-    return within >= 0 && within < T(period) ? std::uint32_t(within) : 0;
+inline std::uint32_t point(double whole) {
+    const double within = whole - period * std::floor(whole / period);
+    return within >= 0 && within < period ? std::uint32_t(within) : 0;
 }
 
 // Each component is -1, 0 or 1; one is 0.
@@ -109,8 +109,34 @@ private:
     }
 };
 
-// Visits the corners of a cell: each(which, gradient), where `which` has 0 or 1 for each axis.
-template<class Each> void corners(const std::array<std::uint32_t, 3>& cell, const Each& each) {
+// The cells that a box meets.
+struct Cells {
+    std::array<double, 3> first{}, last{}; // their lower ends
+
+    // Whether they are two or fewer along each axis. Farther from the origin doubles have no
+    // fractions, and not each cell has a number.
+    bool are_few() const {
+        constexpr double farthest = 0x1p52;
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            const bool is_near = first[axis] > -farthest && last[axis] < farthest;
+            if (!is_near || last[axis] - first[axis] > 1) return false;
+        }
+        return true;
+    }
+    // each(cell), of few cells.
+    template<class Each> void visit(const Each& each) const {
+        for (double z = first[2]; z <= last[2]; ++z) {
+            for (double y = first[1]; y <= last[1]; ++y) {
+                for (double x = first[0]; x <= last[0]; ++x) each(std::array{x, y, z});
+            }
+        }
+    }
+};
+
+// Visits the corners of the cell that begins at `low`: each(which, gradient), where `which` has 0
+// or 1 for each axis.
+template<class Each> void corners(const std::array<double, 3>& low, const Each& each) {
+    const std::array cell{point(low[0]), point(low[1]), point(low[2])};
     for (std::uint32_t c = 0; c < 8; ++c) {
         const std::array<std::size_t, 3> which{c & 1, c >> 1 & 1, c >> 2};
         each(which, gradient(cell[0] + (c & 1), cell[1] + (c >> 1 & 1), cell[2] + (c >> 2)));
@@ -119,13 +145,13 @@ template<class Each> void corners(const std::array<std::uint32_t, 3>& cell, cons
 
 // A derivative of noise in a cell, at `place` from 0 to 1 along each axis.
 template<class T>
-T in_cell(const std::array<std::uint32_t, 3>& cell, const std::array<T, 3>& place,
+T in_cell(const std::array<double, 3>& low, const std::array<T, 3>& place,
           const NoiseOrder& order) {
     const std::array<Weights<T>, 3> weights{Weights<T>(place[0], order.along[0]),
                                             Weights<T>(place[1], order.along[1]),
                                             Weights<T>(place[2], order.along[2])};
     T sum(0);
-    corners(cell, [&](const auto& which, const std::array<int, 3>& gradient) {
+    corners(low, [&](const auto& which, const std::array<int, 3>& gradient) {
         for (std::size_t rise = 0; rise < 3; ++rise) {
             if (gradient[rise] == 0) continue;
             const auto weight = [&](std::size_t axis) -> const T& {
@@ -142,9 +168,8 @@ T in_cell(const std::array<std::uint32_t, 3>& cell, const std::array<T, 3>& plac
 
 template<class T> T noise(T x, T y, T z, const NoiseOrder& order) {
     const std::array<T, 3> whole{std::floor(x), std::floor(y), std::floor(z)};
-    return lattice::in_cell<T>(
-        {lattice::point(whole[0]), lattice::point(whole[1]), lattice::point(whole[2])},
-        {x - whole[0], y - whole[1], z - whole[2]}, order);
+    return lattice::in_cell<T>({double(whole[0]), double(whole[1]), double(whole[2])},
+                               {x - whole[0], y - whole[1], z - whole[2]}, order);
 }
 
 } // namespace isomotion::formula

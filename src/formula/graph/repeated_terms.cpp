@@ -14,7 +14,8 @@
 namespace isomotion::formula {
 namespace {
 
-constexpr std::size_t fewest_terms = 16, most_fields = 32, most_arrays_made = 8;
+// Noise is as long a text as several other terms.
+constexpr std::size_t fewest_terms = 16, terms_of_noise = 4, most_fields = 32, most_arrays_made = 8;
 constexpr int most_numbers = 64, most_depth = 64, largest_term = 1000; // of a term, as a tree
 
 // Operations whose operands may be regrouped.
@@ -69,6 +70,8 @@ public:
                known.nodes <= largest_term;
     }
     const Form& form(NodeId id) const { return known_[id].form; }
+    // So many other terms take a driver as long to compile.
+    std::size_t terms(NodeId id) const { return known_[id].has_noise ? terms_of_noise : 1; }
 
     // In an order that is the same for all expressions of a shape.
     std::vector<double> numbers(NodeId id) const {
@@ -91,6 +94,7 @@ private:
         Form form;
         int shape = 0, numbers = 0, depth = 0;
         int nodes = 1; // of the tree
+        bool has_noise = false;
     };
     using Key = std::tuple<Op, int, int, std::uint64_t, bool, std::vector<int>>;
 
@@ -137,6 +141,7 @@ private:
         Known& known = known_[id];
         known.form = form_of(id);
         Form& form = known.form;
+        known.has_noise = node.op == Op::noise;
         const auto end = form.operands.begin() + form.arity;
         if (form.op == Op::add || form.op == Op::multiply || chain_of(form.op) > Chain::sum) {
             std::stable_sort(form.operands.begin(), end, [&](const Operand& a, const Operand& b) {
@@ -148,6 +153,7 @@ private:
             shapes.push_back(shape_of(*of));
             if (of->kind == Operand::Kind::number) ++known.numbers;
             if (of->kind != Operand::Kind::expression) continue;
+            known.has_noise = known.has_noise || known_[of->node].has_noise;
             known.depth = std::max(known.depth, 1 + known_[of->node].depth);
             known.nodes = std::min(largest_term + 1, known.nodes + known_[of->node].nodes);
             if (!form.is_square || of == form.operands.begin())
@@ -211,9 +217,9 @@ private:
             for (std::size_t k = 0; k < node.arity; ++k) {
                 look(node.children[k], chain);
                 const bool goes_on = chain_of(graph_[node.children[k]].op) == chain;
-                all += goes_on ? terms[node.children[k]] : 1;
+                all += goes_on ? terms[node.children[k]] : shapes_.terms(node.children[k]);
             }
-            if (chain != Chain::none) terms[id] = std::min(all, nodes_.size());
+            if (chain != Chain::none) terms[id] = std::min(all, terms_of_noise * nodes_.size());
         }
         std::vector<NodeId> ends;
         for (const NodeId id : nodes_) {
@@ -281,7 +287,8 @@ private:
         }
         std::map<int, NodeId> loops; // by the shape of their terms
         for (const auto& [shape, group] : groups) {
-            if (group.size() < fewest_terms || arrays_.size() == most_arrays_made ||
+            const std::size_t length = group.size() * shapes_.terms(group.front().node);
+            if (length < fewest_terms || arrays_.size() == most_arrays_made ||
                 first_array_ + int(arrays_.size()) == max_arrays)
                 continue;
             if (const auto loop = loop_over(group, chain)) loops[shape] = *loop;

@@ -19,9 +19,10 @@ struct RepeatedTerms {
     std::vector<ElementNumbers> arrays{};
 };
 
-// Array k of the result is array `first_array` + k of the graph. Fewer terms than sixteen stay as
-// they are written. Values are the same, but for rounding. Sums of exponentials and powers below a
-// logarithm or a power stay, too: log_sums.h and power_sums.h keep them within the range of floats.
+// Array k of the result is array `first_array` + k of the graph. Fewer terms than sixteen,
+// or than four with noise, stay as they are written. Values are the same, but for rounding. Sums of
+// exponentials and powers below a logarithm or a power stay, too: log_sums.h and power_sums.h keep
+// them within the range of floats.
 RepeatedTerms repeated_terms(Graph& graph, NodeId root, int first_array);
 
 } // namespace isomotion::formula

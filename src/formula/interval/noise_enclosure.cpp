@@ -32,19 +32,6 @@ template<> Interval fade(const Interval& t) {
 
 namespace {
 
-constexpr double most_cells = 3;
-
-// The cells that an interval meets, by their lower ends, unless they are more than most_cells.
-struct Cells {
-    double first = 0, last = 0;
-    bool are_few = false;
-
-    explicit Cells(Interval x)
-        : first(std::floor(x.lo))
-        , last(std::floor(x.hi))
-        , are_few(last - first < most_cells) {} // false, too, where both ends are infinite
-};
-
 // The place within the cell from `low` on.
 Interval within(Interval x, double low) {
     const Interval place = x - Interval(low);
@@ -52,10 +39,9 @@ Interval within(Interval x, double low) {
 }
 
 // The corners' linear functions: noise is a mean of their values.
-Interval hull_of_corners(const std::array<std::uint32_t, 3>& cell,
-                         const std::array<Interval, 3>& place) {
+Interval hull_of_corners(const std::array<double, 3>& low, const std::array<Interval, 3>& place) {
     Interval hull{infinity, -infinity};
-    lattice::corners(cell, [&](const auto& which, const std::array<int, 3>& gradient) {
+    lattice::corners(low, [&](const auto& which, const std::array<int, 3>& gradient) {
         Interval value = 0;
         for (std::size_t axis = 0; axis < 3; ++axis) {
             const Interval from_corner = place[axis] - Interval(double(which[axis]));
@@ -108,27 +94,17 @@ double noise_bound(const NoiseOrder& order) {
     return found->second;
 }
 
-Interval noise_enclosure(Interval x, Interval y, Interval z, const NoiseOrder& order) {
-    const Cells along_x(x), along_y(y), along_z(z);
-    const double bound = noise_bound(order);
-    const Interval anywhere{-bound, bound};
-    if (!along_x.are_few || !along_y.are_few || !along_z.are_few) return anywhere;
-    const bool is_value = order.packed() == 0;
+Interval NoiseEnclosure::operator()(Interval x, Interval y, Interval z) const {
+    const lattice::Cells cells{{std::floor(x.lo), std::floor(y.lo), std::floor(z.lo)},
+                               {std::floor(x.hi), std::floor(y.hi), std::floor(z.hi)}};
+    const Interval anywhere{-bound_, bound_};
+    if (!cells.are_few()) return anywhere;
     Interval all{infinity, -infinity};
-    // Numbers without a fraction may have no successor: the last cell is then the first.
-    const auto each = [](const Cells& cells, auto&& visit) {
-        for (int k = 0; k <= int(cells.last - cells.first); ++k) visit(cells.first + k);
-    };
-    each(along_z, [&](double k) {
-        each(along_y, [&](double j) {
-            each(along_x, [&](double i) {
-                const std::array cell{lattice::point(i), lattice::point(j), lattice::point(k)};
-                const std::array place{within(x, i), within(y, j), within(z, k)};
-                Interval value = lattice::in_cell<Interval>(cell, place, order);
-                if (is_value) value = intersect(value, hull_of_corners(cell, place));
-                all = hull(all, value);
-            });
-        });
+    cells.visit([&](const std::array<double, 3>& low) {
+        const std::array place{within(x, low[0]), within(y, low[1]), within(z, low[2])};
+        const Interval value = lattice::in_cell<Interval>(low, place, order_);
+        const bool is_value = order_.packed() == 0;
+        all = hull(all, is_value ? intersect(value, hull_of_corners(low, place)) : value);
     });
     return intersect(all, anywhere);
 }

@@ -6,11 +6,22 @@
 
 namespace isomotion::formula {
 
-// Boxes over up to three cells along each axis are looked at cell by cell; over others the
-// bound of all space holds.
-Interval noise_enclosure(Interval x, Interval y, Interval z, const NoiseOrder& order);
-
 // A number that no derivative of this order exceeds in size, and that is a float.
 double noise_bound(const NoiseOrder& order);
+
+class NoiseEnclosure {
+public:
+    explicit NoiseEnclosure(const NoiseOrder& order)
+        : order_(order)
+        , bound_(noise_bound(order)) {}
+
+    // Looks at each cell of boxes over one or two cells along each axis. The bound of all space
+    // holds over others.
+    Interval operator()(Interval x, Interval y, Interval z) const;
+
+private:
+    NoiseOrder order_;
+    double bound_;
+};
 
 } // namespace isomotion::formula

@@ -89,7 +89,7 @@ TEST(Noise, IsWithinItsBoundsOverBoxes) {
                 box[c] = {p[c] - reach, p[c] + reach};
                 member[c] = p[c] + reach * random.point(1)[0];
             }
-            const Interval bounds = noise_enclosure(box[0], box[1], box[2], order);
+            const Interval bounds = NoiseEnclosure(order)(box[0], box[1], box[2]);
             const double value = at(member, order), margin = 1e-12 * noise_bound(order);
             EXPECT_LE(bounds.lo, value + margin) << order.packed() << ", seed " << seed;
             EXPECT_GE(bounds.hi, value - margin) << order.packed() << ", seed " << seed;
@@ -105,15 +105,42 @@ TEST(Noise, HasNarrowBoundsOverSmallBoxes) {
         const Point p = random.point(5);
         constexpr double reach = 1e-4;
         const auto around = [&](std::size_t c) { return Interval(p[c] - reach, p[c] + reach); };
-        EXPECT_LT(width(noise_enclosure(around(0), around(1), around(2), {})), 60 * reach);
+        EXPECT_LT(width(NoiseEnclosure({})(around(0), around(1), around(2))), 60 * reach);
     }
 }
 
 TEST(Noise, IsBoundedWhereBoxesHaveNoEnd) {
-    const Interval all = noise_enclosure(Interval::entire(), Interval(0), Interval(0), {});
+    const Interval all = NoiseEnclosure({})(Interval::entire(), Interval(0), Interval(0));
     EXPECT_LT(all.hi, 1.6);
     EXPECT_EQ(all.lo, -all.hi);
     EXPECT_GT(all.hi, 1);
+    // Between such numbers lie cells that no double names.
+    const Interval far{0x1p53, 0x1p53 + 2};
+    EXPECT_EQ(NoiseEnclosure({})(far, Interval(0.5), Interval(0.5)), all);
+}
+
+// Whatever the gradients of a cell are.
+TEST(Noise, IsNoLargerThanDocumented) {
+    double most = 0;
+    for (int k = 0; k < 50 * 50 * 50; ++k) {
+        const Point p{k % 50 / 49.0, k / 50 % 50 / 49.0, k / 2500 / 49.0};
+        double sum = 0;
+        for (int corner = 0; corner < 8; ++corner) {
+            std::array<double, 3> away{};
+            double weight = 1;
+            for (std::size_t axis = 0; axis < 3; ++axis) {
+                const bool is_far = (corner >> axis & 1) != 0;
+                away[axis] = std::abs(p[axis] - (is_far ? 1 : 0));
+                weight *= is_far ? lattice::fade(p[axis]) : 1 - lattice::fade(p[axis]);
+            }
+            std::ranges::sort(away);
+            sum += weight * (away[1] + away[2]);
+        }
+        most = std::max(most, sum);
+    }
+    EXPECT_LT(most, 1.04);
+    EXPECT_GT(most, 1.03);
+    EXPECT_GE(noise_bound({}), most);
 }
 
 TEST(Noise, IsReadFromAPlaceAndFromItsParts) {
