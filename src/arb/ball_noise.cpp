@@ -64,7 +64,8 @@ Ball noise(const std::array<Ball, 3>& place, const formula::NoiseOrder& order, s
     }
     const double bound = formula::noise_bound(order);
     const formula::lattice::Cells cells = cells_of(place);
-    if (!cells.are_few()) return Ball(-bound, bound);
+    Ball anywhere(-bound, bound);
+    if (!cells.are_few()) return anywhere;
     std::optional<Ball> all;
     cells.visit([&](const std::array<double, 3>& low) {
         const auto within = [&](std::size_t axis) {
@@ -78,7 +79,7 @@ Ball noise(const std::array<Ball, 3>& place, const formula::NoiseOrder& order, s
             all = value;
         }
     });
-    return all.value();
+    return all ? *all : anywhere; // few cells are one at least
 }
 
 } // namespace isomotion::ball
