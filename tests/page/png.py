@@ -63,7 +63,8 @@ def _paeth(left, up, corner):
 
 def differences(a, b, edge=24):
     """How many pixels of two pictures of one size differ by more than 3 of 255, and how many of those
-    stand off edges, where no neighbour in either picture differs by more than `edge`."""
+    stand off edges: no neighbour in either picture differs by more than `edge`, and no fainter edge
+    has moved by less than a pixel, so that each picture's colour stands beside it in the other."""
     assert (a.width, a.height) == (b.width, b.height)
     everywhere = off_edges = 0
     for y in range(a.height):
@@ -73,7 +74,8 @@ def differences(a, b, edge=24):
             if _apart(a.at(x, y), b.at(x, y)) <= 3:
                 continue
             everywhere += 1
-            off_edges += not any(_is_edge(p, x, y, edge) for p in (a, b))
+            off_edges += not (any(_is_edge(p, x, y, edge) for p in (a, b))
+                              or _stands_near(b, a.at(x, y), x, y) and _stands_near(a, b.at(x, y), x, y))
     return everywhere, off_edges
 
 
@@ -81,10 +83,16 @@ def _apart(p, q):
     return max(abs(m - n) for m, n in zip(p, q))
 
 
+def _around(picture, x, y):
+    """The colours of a pixel and its neighbours."""
+    return [picture.at(u, v) for v in range(max(y - 1, 0), min(y + 2, picture.height))
+            for u in range(max(x - 1, 0), min(x + 2, picture.width))]
+
+
 def _is_edge(picture, x, y, edge):
     here = picture.at(x, y)
-    for v in range(max(y - 1, 0), min(y + 2, picture.height)):
-        for u in range(max(x - 1, 0), min(x + 2, picture.width)):
-            if _apart(here, picture.at(u, v)) > edge:
-                return True
-    return False
+    return any(_apart(here, colour) > edge for colour in _around(picture, x, y))
+
+
+def _stands_near(picture, colour, x, y):
+    return any(_apart(colour, other) <= 3 for other in _around(picture, x, y))
