@@ -196,6 +196,20 @@ Looked look(const HardCase& a_case, scene::Method method) {
     return looked;
 }
 
+std::string wrong_pixels(const Looked& looked) {
+    const image::Frame& frame = looked.picture.frame;
+    std::string told;
+    for (std::size_t k = 0; k < looked.errors.faults.size(); ++k) {
+        const roots::Fault fault = looked.errors.faults[k];
+        if (fault == roots::Fault::none || fault == roots::Fault::undecided) continue;
+        const auto drawn = [&](const char* name) { return frame.find(name)->samples[k]; };
+        told += fmt::format("row {}, column {}: {}, verdict {}, at ({}, {}, {})\n",
+                            k / std::size_t(frame.width), k % std::size_t(frame.width), words(fault),
+                            drawn("verdict"), drawn("P.X"), drawn("P.Y"), drawn("P.Z"));
+    }
+    return told;
+}
+
 void expect_bounds(const HardCase& a_case) {
     {
         SCOPED_TRACE("by default");

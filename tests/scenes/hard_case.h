@@ -50,6 +50,9 @@ struct Looked {
 // prints at its end.
 Looked look(const HardCase& a_case, scene::Method method);
 
+// Each wrong pixel of a picture: where it is, what is wrong, what was drawn there.
+std::string wrong_pixels(const Looked& looked);
+
 // Looks with what a scene gets that names no method, at three sizes of F and two of the scene, and
 // with each method that has a bound, and expects the bounds to hold: no NaN, no ray out of steps,
 // nothing crooked either.

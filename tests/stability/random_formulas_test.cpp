@@ -26,7 +26,10 @@ void are_drawn_right_by_default(const bench::Family& family, std::uint64_t from,
                              false,
                              /*is_drawn_by_chance=*/true};
         const Looked looked = look(drawn, scene::Method::hermite);
-        EXPECT_LE(looked.errors.wrong(), beside_edges) << drawn.scene;
+        EXPECT_LE(looked.errors.wrong(), beside_edges)
+            << drawn.scene << '\n'
+            << wrong_pixels(looked) << "drawn once more:\n"
+            << wrong_pixels(look(drawn, scene::Method::hermite));
         EXPECT_EQ(looked.errors.nan + looked.errors.step_limit, 0) << drawn.scene;
         EXPECT_EQ(looked.crooked, 0) << drawn.scene;
     }
