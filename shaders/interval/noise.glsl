@@ -51,35 +51,45 @@ REAL2 im_signed(REAL s, REAL2 a) {
     return s < 0.0 ? -a.yx : s * a;
 }
 
+// What a corner adds, and the linear function that is its own.
+void im_noise_corner(uvec3 corner, vec3 far, NoiseWeights u, NoiseWeights v, NoiseWeights w,
+                     REAL2 x, REAL2 y, REAL2 z, inout REAL2 sum, inout REAL2 hull) {
+    vec3 g = im_noise_gradient(corner);
+    REAL2 ax = IM_SELECT2(far.x > 0.0, u.a1, u.a0), bx = IM_SELECT2(far.x > 0.0, u.b1, u.b0);
+    REAL2 ay = IM_SELECT2(far.y > 0.0, v.a1, v.a0), by = IM_SELECT2(far.y > 0.0, v.b1, v.b0);
+    REAL2 az = IM_SELECT2(far.z > 0.0, w.a1, w.a0), bz = IM_SELECT2(far.z > 0.0, w.b1, w.b0);
+    REAL2 along_x = im_multiply(im_multiply(bx, ay), az);
+    REAL2 along_y = im_multiply(im_multiply(ax, by), az);
+    REAL2 along_z = im_multiply(im_multiply(ax, ay), bz);
+    sum = im_add(sum, im_add(im_add(im_signed(g.x, along_x), im_signed(g.y, along_y)),
+                             im_signed(g.z, along_z)));
+    REAL2 dx = im_subtract(x, REAL2(far.x));
+    REAL2 dy = im_subtract(y, REAL2(far.y));
+    REAL2 dz = im_subtract(z, REAL2(far.z));
+    hull = im_hull(hull,
+                   im_add(im_add(im_signed(g.x, dx), im_signed(g.y, dy)), im_signed(g.z, dz)));
+}
+
+// Loops have a limit for all of a shader: src/shader/loop_limit.h counts two turns here.
 REAL2 im_noise_in_cell(vec3 cell, REAL2 x, REAL2 y, REAL2 z, ivec3 order) {
     NoiseWeights u = im_noise_weights(x, order.x);
     NoiseWeights v = im_noise_weights(y, order.y);
     NoiseWeights w = im_noise_weights(z, order.z);
-    bool is_value = order == ivec3(0);
     uvec3 first = im_lattice_point(cell);
     REAL2 sum = REAL2(0.0), hull = REAL2(IM_INFINITY, -IM_INFINITY);
-    for (uint c = 0u; c < 8u; ++c) {
-        bvec3 far = bvec3((c & 1u) != 0u, (c & 2u) != 0u, (c & 4u) != 0u);
-        vec3 g = im_noise_gradient(first + uvec3(c & 1u, c >> 1 & 1u, c >> 2));
-        REAL2 ax = IM_SELECT2(far.x, u.a1, u.a0), bx = IM_SELECT2(far.x, u.b1, u.b0);
-        REAL2 ay = IM_SELECT2(far.y, v.a1, v.a0), by = IM_SELECT2(far.y, v.b1, v.b0);
-        REAL2 az = IM_SELECT2(far.z, w.a1, w.a0), bz = IM_SELECT2(far.z, w.b1, w.b0);
-        REAL2 along_x = im_multiply(im_multiply(bx, ay), az);
-        REAL2 along_y = im_multiply(im_multiply(ax, by), az);
-        REAL2 along_z = im_multiply(im_multiply(ax, ay), bz);
-        REAL2 corner = im_add(im_add(im_signed(g.x, along_x), im_signed(g.y, along_y)),
-                              im_signed(g.z, along_z));
-        sum = im_add(sum, corner);
-        if (is_value) {
-            // Noise is a mean of the corners' linear functions.
-            REAL2 dx = im_subtract(x, REAL2(far.x ? 1.0 : 0.0));
-            REAL2 dy = im_subtract(y, REAL2(far.y ? 1.0 : 0.0));
-            REAL2 dz = im_subtract(z, REAL2(far.z ? 1.0 : 0.0));
-            hull = im_hull(hull, im_add(im_add(im_signed(g.x, dx), im_signed(g.y, dy)),
-                                        im_signed(g.z, dz)));
-        }
+    for (uint k = 0u; k < 2u; ++k) {
+        uvec3 corner = first + uvec3(0u, 0u, k);
+        vec3 far = vec3(0.0, 0.0, float(k));
+        im_noise_corner(corner, far, u, v, w, x, y, z, sum, hull);
+        im_noise_corner(corner + uvec3(1u, 0u, 0u), far + vec3(1.0, 0.0, 0.0), u, v, w, x, y, z,
+                        sum, hull);
+        im_noise_corner(corner + uvec3(0u, 1u, 0u), far + vec3(0.0, 1.0, 0.0), u, v, w, x, y, z,
+                        sum, hull);
+        im_noise_corner(corner + uvec3(1u, 1u, 0u), far + vec3(1.0, 1.0, 0.0), u, v, w, x, y, z,
+                        sum, hull);
     }
-    return is_value ? REAL2(max(sum.x, hull.x), min(sum.y, hull.y)) : sum;
+    // Noise is a mean of the corners' linear functions.
+    return order == ivec3(0) ? REAL2(max(sum.x, hull.x), min(sum.y, hull.y)) : sum;
 }
 
 REAL2 im_noise(REAL2 x, REAL2 y, REAL2 z, ivec3 order, REAL bound) {

@@ -36,6 +36,12 @@ struct Number {
     }
 };
 
+// The part of a ball within another, which it meets.
+Ball cut(const Ball& ball, const Ball& by, slong precision) {
+    Ball part;
+    return arb_intersection(part.get(), ball.get(), by.get(), precision) != 0 ? part : ball;
+}
+
 // The cells that balls meet.
 formula::lattice::Cells cells_of(const std::array<Ball, 3>& place) {
     constexpr slong exact = 256;
@@ -64,15 +70,18 @@ Ball noise(const std::array<Ball, 3>& place, const formula::NoiseOrder& order, s
     }
     const double bound = formula::noise_bound(order);
     const formula::lattice::Cells cells = cells_of(place);
-    Ball anywhere(-bound, bound);
+    const Ball anywhere(-bound, bound), unit(0, 1);
     if (!cells.are_few()) return anywhere;
     std::optional<Ball> all;
     cells.visit([&](const std::array<double, 3>& low) {
         const auto within = [&](std::size_t axis) {
-            return Number(place[axis], precision) - Number(low[axis]);
+            return cut((Number(place[axis], precision) - Number(low[axis])).ball, unit, precision);
         };
+        const std::array<Number, 3> inside{Number(within(0), precision),
+                                           Number(within(1), precision),
+                                           Number(within(2), precision)};
         const Ball value =
-            formula::lattice::in_cell<Number>(low, {within(0), within(1), within(2)}, order).ball;
+            cut(formula::lattice::in_cell<Number>(low, inside, order).ball, anywhere, precision);
         if (all) {
             arb_union(all->get(), all->get(), value.get(), precision);
         } else {

@@ -69,8 +69,9 @@ int evaluations_of_a_beam(const shader::Passes& passes, const formula::Field& fi
     const double most = lists == shader::BeamLists::whole ? 8 : 64;
     using shader::FieldFunction;
     const FieldFunction bounds =
-        passes.tapes ? FieldFunction::value_interval : FieldFunction::value; // as many loops
-    const double sums = shader::cost(field, passes, {bounds}, elements_by_place(passes)).iterations;
+        passes.tapes ? FieldFunction::value_interval : FieldFunction::value; // as many sums
+    const formula::Cost cost = shader::cost(field, passes, {bounds}, elements_by_place(passes));
+    const double sums = cost.iterations + shader::turns_of_noise_bounds * cost.noises;
     const double fitting = 0.5 * loop_iterations_per_pass / (1 + sums);
     return int(shader::has_lists(passes) ? most : std::min(most, fitting));
 }

@@ -286,6 +286,8 @@ formula::Cost cost(const formula::Field& field, const FieldStorage& storage,
         const formula::Cost one = formula::cost(program_of(field, function), counts);
         total.operations += (is_on_intervals(function) ? interval_operations : 1) * one.operations;
         total.iterations += one.iterations;
+        total.noises += one.noises;
+        if (is_on_intervals(function)) total.iterations += turns_of_noise_bounds * one.noises;
     }
     return total;
 }

@@ -64,9 +64,11 @@ std::optional<int> array_to_find_by_place(const scene::OneSurface& one, std::spa
 // Whether beams may keep lists of array 0.
 bool may_keep_lists(const scene::OneSurface& one, std::span<const int> counts) {
     // With more elements than most the loops of a beam's shader might end too soon (beam_text.cpp).
+    // Bounds of noise have loops of their own.
     constexpr int fewest = 9, most = 15'000;
+    const formula::Field& field = *one.surface.field;
     return uses_beams(one) && !counts.empty() && counts[0] >= fewest && counts[0] <= most &&
-           formula::linear_sum(*one.surface.field).has_value();
+           formula::cost(field.value, counts).noises == 0 && formula::linear_sum(field).has_value();
 }
 
 // Pixels along a side from which on lists are faster; 0 if nothing is known of the crowd.

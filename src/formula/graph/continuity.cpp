@@ -80,8 +80,6 @@ NodeId unless_at_cut(Graph& g, NodeId a, NodeId b) {
     return g.select(zero, g.unary(Op::abs, a), zero, unless_above(g, b, zero));
 }
 
-} // namespace
-
 NodeId unless_between_cells(Graph& g, const Node& noise) {
     const NoiseOrder order = NoiseOrder::unpacked(noise.index);
     NodeId all = g.constant(0);
@@ -92,6 +90,8 @@ NodeId unless_between_cells(Graph& g, const Node& noise) {
     }
     return all;
 }
+
+} // namespace
 
 bool may_be_unbounded(Op op) {
     const Traits* row = traits(op);

@@ -5,7 +5,7 @@
 // is the mean of its eight corners' functions, weighted by the quintic 6t^5 - 15t^4 + 10t^3 along
 // each axis. So it has two continuous derivatives, is 0 at the lattice points and lies within
 // +-1.04. The hash takes integers alone, so all number types, shaders and pages have the same
-// gradients. The lattice repeats after 2^20 cells, since floats tell no more of them apart.
+// gradients. The lattice repeats after 2^20 cells, where floats have eight places within a cell.
 //
 // The weights are products over the axes: with A0 = 1 - fade(t), A1 = fade(t), B0 = t A0 and
 // B1 = (t - 1) A1, a corner with the gradient (g, h, l) adds
@@ -24,7 +24,8 @@ namespace isomotion::formula {
 struct NoiseOrder {
     std::array<int, 3> along{};
 
-    static constexpr int most = 7; // all higher derivatives are 0
+    // All higher derivatives are 0, and so is this one but for the jumps of the sixth.
+    static constexpr int most = 7;
     // As a node's index.
     constexpr int packed() const { return along[0] + 8 * (along[1] + 8 * along[2]); }
     static constexpr NoiseOrder unpacked(int index) {

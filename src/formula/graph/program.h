@@ -49,6 +49,7 @@ struct Cost {
     double operations = 0; // arithmetic operations and functions
     double iterations = 0; // loop iterations, nested ones multiplied out
     double functions = 0;  // operations that processors don't have built in: exp, sin, power, ...
+    double noises = 0;     // calls of noise, which counts as many operations
 };
 Cost cost(const Program& program, std::span<const int> counts);
 
