@@ -70,23 +70,17 @@ void im_noise_corner(uvec3 corner, vec3 far, NoiseWeights u, NoiseWeights v, Noi
                    im_add(im_add(im_signed(g.x, dx), im_signed(g.y, dy)), im_signed(g.z, dz)));
 }
 
-// Loops have a limit for all of a shader: src/shader/loop_limit.h counts two turns here.
+// The loop keeps the shader short, which takes a driver seconds to compile otherwise. Loops have a
+// limit for all of a shader: src/shader/loop_limit.h counts their turns.
 REAL2 im_noise_in_cell(vec3 cell, REAL2 x, REAL2 y, REAL2 z, ivec3 order) {
     NoiseWeights u = im_noise_weights(x, order.x);
     NoiseWeights v = im_noise_weights(y, order.y);
     NoiseWeights w = im_noise_weights(z, order.z);
     uvec3 first = im_lattice_point(cell);
     REAL2 sum = REAL2(0.0), hull = REAL2(IM_INFINITY, -IM_INFINITY);
-    for (uint k = 0u; k < 2u; ++k) {
-        uvec3 corner = first + uvec3(0u, 0u, k);
-        vec3 far = vec3(0.0, 0.0, float(k));
-        im_noise_corner(corner, far, u, v, w, x, y, z, sum, hull);
-        im_noise_corner(corner + uvec3(1u, 0u, 0u), far + vec3(1.0, 0.0, 0.0), u, v, w, x, y, z,
-                        sum, hull);
-        im_noise_corner(corner + uvec3(0u, 1u, 0u), far + vec3(0.0, 1.0, 0.0), u, v, w, x, y, z,
-                        sum, hull);
-        im_noise_corner(corner + uvec3(1u, 1u, 0u), far + vec3(1.0, 1.0, 0.0), u, v, w, x, y, z,
-                        sum, hull);
+    for (uint c = 0u; c < 8u; ++c) {
+        uvec3 far = uvec3(c & 1u, c >> 1 & 1u, c >> 2);
+        im_noise_corner(first + far, vec3(far), u, v, w, x, y, z, sum, hull);
     }
     // Noise is a mean of the corners' linear functions.
     return order == ivec3(0) ? REAL2(max(sum.x, hull.x), min(sum.y, hull.y)) : sum;

@@ -33,7 +33,8 @@ void TAPE_RUN(uvec2 span) {
         uvec2 word = IM_BUFFER_AT(tape_words, at).xy;
         TAPE_NUMBER a, b;
         TAPE_OPERANDS(word, a, b);
-        TAPE_REGISTERS[int((word.x >> 10) & 2047u)] = TAPE_CALL(word.x & 127u, a, b, a, b);
+        TAPE_REGISTERS[int((word.x >> 10) & 2047u)] =
+            TAPE_CALL(word.x & 127u, a, b, held_a, held_b);
         stop = at + 2 + int(IM_BUFFER_AT(tape_words, at + 1).x);
         at += 2;
 #endif

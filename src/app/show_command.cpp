@@ -204,10 +204,16 @@ void print_surface(const scene::OneSurface& one, const shader::Passes& passes,
             passes.size_compiled);
     const probe::Sight sight = probe::sight(one, now);
     if (one.surface.jumps_are_walls) print_result("jumps     are walls\n");
+    const auto& origin = one.surface.field->origin;
+    if (origin != std::array<double, 3>{})
+        print_result("origin    ({:.9g}, {:.9g}, {:.9g}): coordinates are counted from there, as "
+                     "floats are too coarse so far out; bounds and transform above, too\n",
+                     origin[0], origin[1], origin[2]);
     if (const auto& found = one.surface.found_bounds) {
         const scene::BoundsAt bounds = now.surface.bounds;
+        const glm::dvec3 centre = bounds.centre + glm::dvec3(origin[0], origin[1], origin[2]);
         print_result("bounds    found: a ball of radius {:g} about ({:g}, {:g}, {:g}), {}\n",
-                     bounds.radius, bounds.centre.x, bounds.centre.y, bounds.centre.z,
+                     bounds.radius, centre.x, centre.y, centre.z,
                      *found ? "which holds the surface at all frames"
                             : "and the surface may go on beyond it, or there may be none");
     }

@@ -9,6 +9,7 @@
 #include "formula/graph/lowering.h"
 #include "formula/graph/parser.h"
 #include "formula/graph/power_sums.h"
+#include "formula/graph/recentred.h"
 #include "formula/graph/same_signs.h"
 #include "formula/graph/walls.h"
 #include "formula/kept_enclosures.h"
@@ -58,14 +59,16 @@ void derive_programs(Field& field) {
 } // namespace
 
 Field make_field(std::string_view text, Vocabulary vocabulary,
-                 std::vector<ElementNumbers>* repeated) {
+                 std::vector<ElementNumbers>* repeated, const std::array<double, 3>& origin) {
     Field field;
     field.text = text;
+    field.origin = origin;
     vocabulary.inputs = coordinate_names;
     vocabulary.allows_picks = false;
     vocabulary.allows_equation = true;
     NodeId root = parse(text, vocabulary, field.graph);
     field.nodes_read = field.graph.size();
+    root = recentred(field.graph, root, origin);
     std::size_t arrays = vocabulary.arrays.size();
     if (repeated) {
         RepeatedTerms terms = repeated_terms(field.graph, root, int(arrays));

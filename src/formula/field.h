@@ -32,6 +32,7 @@ struct Field {
     Program gradient;     // inputs x y z          -> F_x, F_y, F_z
     ArrayPacking packing; // the fields that each array must supply, in storage order
     double scale = 1;     // F is the user's formula times this power of two
+    std::array<double, 3> origin{}; // where, in the user's coordinates, x, y and z are 0
     // Above 0 if jumps of F across 0 are walls: the distance from a jump within which the gradient
     // is the wall's normal, see graph/walls.h.
     double wall_distance = 0;
@@ -40,9 +41,11 @@ struct Field {
 
 // Inputs of the vocabulary are replaced by coordinate_names. `repeated` takes the numbers of terms
 // that are written out many times, and that the field reads as arrays behind the vocabulary's: see
-// graph/repeated_terms.h. Without it, terms stay as they are written. Throws ParseError.
+// graph/repeated_terms.h. Without it, terms stay as they are written. Coordinates are counted from
+// `origin`. Throws ParseError.
 Field make_field(std::string_view text, Vocabulary vocabulary,
-                 std::vector<ElementNumbers>* repeated = nullptr);
+                 std::vector<ElementNumbers>* repeated = nullptr,
+                 const std::array<double, 3>& origin = {});
 // The field times a power of two.
 Field scaled(Field field, double scale);
 // The same field with a larger packing: after what F reads, the fields that a program beside it

@@ -8,6 +8,7 @@
 #include "formula/element_weights.h"
 #include "formula/graph/lowering.h"
 #include "formula/graph/parser.h"
+#include "formula/graph/recentred.h"
 #include "formula/graph/substitute.h"
 #include "formula/hessian.h"
 
@@ -24,9 +25,9 @@ Paint begin_paint(const Field& field) {
 }
 
 // A graph of its own: however large the field is, there is room for as much as a formula may hold.
-NodeId parse_beside(std::string_view text, const Names& names, Graph& to) {
+NodeId parse_beside(std::string_view text, const Names& names, const Field& field, Graph& to) {
     Graph written;
-    const NodeId root = parse(text, names, written);
+    const NodeId root = recentred(written, parse(text, names, written), field.origin);
     return substitute(to, written, std::array{root}, as_it_is).front();
 }
 
@@ -62,7 +63,7 @@ Paint make_paint(std::string_view text, const Vocabulary& surface, const Field& 
     vocabulary.inputs = paint_names;
     Paint paint = begin_paint(field);
     paint.text = text;
-    paint.roots = {parse_beside(text, Names(vocabulary), paint.graph)};
+    paint.roots = {parse_beside(text, Names(vocabulary), field, paint.graph)};
     return finish(std::move(paint), field);
 }
 
@@ -74,7 +75,7 @@ Paint make_color(const ColorTexts& texts, const Vocabulary& surface, const Field
     for (std::size_t k = 0; k < texts.size(); ++k) {
         const NodeId own = paint.graph.input(int(paint_names.size() + k));
         const auto& text = texts[k];
-        paint.roots.push_back(text ? parse_beside(*text, names, paint.graph) : own);
+        paint.roots.push_back(text ? parse_beside(*text, names, field, paint.graph) : own);
         paint.text += (k > 0 ? ", " : "") + text.value_or("as it is");
     }
     return finish(std::move(paint), field);

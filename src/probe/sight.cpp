@@ -9,6 +9,7 @@
 #include "formula/enclosure.h"
 #include "formula/interval/prune.h"
 #include "probe/sample_points.h"
+#include "probe/thresholds.h"
 #include "probe/unbounded.h"
 
 namespace isomotion::probe {
@@ -184,13 +185,13 @@ Sight sight(const OneSurface& one, const OneSurfaceAt& now) {
         const double at_eye = f_at({eye})[0];
         found.eye_in_solid = below > 0.5 ? at_eye > 0 : at_eye < 0;
     }
-    // Coordinates there are floats: at so many radii they are off by up to a 64th of a pixel, of a
-    // picture 512 pixels high.
-    constexpr double most_radii = 1000;
+    const auto& origin = field.origin;
+    // A 64th of a pixel of a picture 512 pixels high.
+    constexpr double visible = 0x1p-14;
+    const bool is_moved = origin != std::array<double, 3>{};
     const scene::BoundsAt& bounds = now.surface.bounds;
-    const glm::dvec3 away = glm::abs(bounds.centre);
-    if (std::max({away.x, away.y, away.z}) > most_radii * bounds.radius)
-        found.far_middle = bounds.centre;
+    if (is_far(bounds) || (is_moved && float32_displacement(field, now.surface) > visible))
+        found.far_middle = bounds.centre + glm::dvec3(origin[0], origin[1], origin[2]);
     return found;
 }
 

@@ -4,6 +4,7 @@
 #include <cfloat>
 #include <cmath>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "probe/sample_points.h"
@@ -154,6 +155,30 @@ Float32Loss float32_loss(const formula::Field& field, const SurfaceAt& surface) 
     }
     loss.part = values > 0 ? double(lost) / double(values) : 0;
     return loss;
+}
+
+double float32_displacement(const formula::Field& field, const SurfaceAt& surface) {
+    const std::vector<Sample> in_floats = samples_of<float>(field, surface);
+    const std::vector<Sample> in_doubles = samples_of<double>(field, surface);
+    std::vector<std::pair<double, double>> near; // distance from the surface, displacement
+    for (std::size_t k = 0; k < in_doubles.size(); ++k) {
+        const Sample& exact = in_doubles[k];
+        if (!exact.is_known()) continue;
+        const double off = std::abs(in_floats[k].value - exact.value) / exact.slope;
+        near.emplace_back(exact.distance(), std::isnan(off) ? HUGE_VAL : off);
+    }
+    if (near.empty()) return HUGE_VAL;
+    std::ranges::sort(near);
+    near.resize(std::max<std::size_t>(near.size() / 8, 1));
+    const auto middle = near.begin() + std::ptrdiff_t(near.size() / 2);
+    std::ranges::nth_element(near, middle, {}, &std::pair<double, double>::second);
+    return middle->second / surface.bounds.radius;
+}
+
+bool is_far(const scene::BoundsAt& bounds) {
+    constexpr double most_radii = 1000;
+    const glm::dvec3 away = glm::abs(bounds.centre);
+    return std::max({away.x, away.y, away.z}) > most_radii * bounds.radius;
 }
 
 } // namespace isomotion::probe

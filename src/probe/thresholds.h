@@ -31,4 +31,12 @@ struct Float32Loss {
 
 Float32Loss float32_loss(const formula::Field& field, const scene::SurfaceAt& surface);
 
+// How far from where it is float32 finds the surface, in radii of the bounds: the median over
+// sample points near it. Infinite if there are none.
+double float32_displacement(const formula::Field& field, const scene::SurfaceAt& surface);
+
+// Whether bounds lie so far from the origin that their coordinates in float32 are off by a 64th of
+// a pixel, in pictures 512 pixels high.
+bool is_far(const scene::BoundsAt& bounds);
+
 } // namespace isomotion::probe

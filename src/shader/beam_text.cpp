@@ -56,11 +56,12 @@ void add_boxes(ShaderText& text, const scene::OneSurface& one, const PassPlan& p
     text.file("march/beam_of_block.glsl");
 }
 
-// Bounds of Chebyshev polynomials and of waves cost more than the samples they save.
+// Bounds of Chebyshev polynomials, of waves and of noise cost more than the samples they save.
 bool bounds_pay(const formula::Field& field) {
     for (std::size_t id = 0; id < field.graph.size(); ++id) {
         switch (field.graph[formula::NodeId(id)].op) {
         case formula::Op::chebyshev:
+        case formula::Op::noise:
         case formula::Op::sin:
         case formula::Op::cos:
         case formula::Op::tan:

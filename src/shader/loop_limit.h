@@ -7,9 +7,9 @@ namespace isomotion::shader {
 // silently, by the iterations of the march itself.
 inline constexpr double loop_iterations_per_pass = 60'000;
 
-// Bounds of noise go through its cells, at most eight, and two turns in each
+// Bounds of noise go through its cells, at most eight, and the eight corners of each
 // (shaders/interval/noise.glsl). Each of these loops counts a turn more, its end.
-inline constexpr int turns_of_noise_bounds = 8 * (1 + 3) + 1;
+inline constexpr int turns_of_noise_bounds = 8 * (1 + 9) + 1;
 
 // The number of cells that a box may meet in a grid of elements; beyond it there are no bounds.
 inline constexpr int most_cells_of_box = 12;

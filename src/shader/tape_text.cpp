@@ -196,8 +196,14 @@ formula::Cost FieldTapes::cost(const std::vector<FieldFunction>& functions) cons
     for (const FieldFunction of : functions) {
         // Breaks are looked for at up to three places of one step, gradients along three axes.
         const int runs = of == FieldFunction::breaks || run_for(of) != of ? 3 : 1;
-        const int turns = runs * function(run_for(of)).turns;
+        const auto& tape = function(run_for(of));
+        const int turns = runs * tape.turns;
         cost.iterations += turns;
+        // Where others are called, loops of noise's bounds end at once.
+        constexpr int at_once = 3;
+        if (is_on_intervals(of))
+            cost.iterations += runs * tape.noises * turns_of_noise_bounds +
+                               at_once * tape.operations.orders_of_noise() * turns;
         cost.operations += (is_on_intervals(of) ? on_intervals : on_numbers) *
                            formula::tape_unrolled * (chooses() ? std::min(turns, usual) : turns);
     }

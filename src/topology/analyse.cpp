@@ -175,8 +175,10 @@ void count_again(Timeline& timeline, const MovingScene& frames, const CountSigns
 
 // Adds to events, of which no kinds are known, all else that can be proved. `motions`: by time.
 // Signs that the scene's own field has may be found faster than those of the motions' formula.
-Timeline proved(Timeline timeline, const Motions& motions, const AnalyseOptions& how,
-                Interval range, const SerialCallbacks& callbacks, CountSigns signs = {}) {
+// Coordinates are those of `first`.
+Timeline proved(Timeline timeline, const scene::OneSurface& first, const Motions& motions,
+                const AnalyseOptions& how, Interval range, const SerialCallbacks& callbacks,
+                CountSigns signs = {}) {
     const MovingScene frames(motions);
     const FrameLimits limits{.stopped = [&] { return callbacks.stopped(); }};
     struct {
@@ -191,7 +193,8 @@ Timeline proved(Timeline timeline, const Motions& motions, const AnalyseOptions&
         is_proved = betti.has_value();
         by_cells = frame.is_by_cells;
         if (!is_proved)
-            why = fmt::format("{}: {}, near {}", not_known, frame.why, place_text(frame.where));
+            why = fmt::format("{}: {}, near {}", not_known, frame.why,
+                              place_text(moved(frame.where, first.surface.field->origin)));
         return why;
     };
     std::string no_start, no_end;
@@ -265,7 +268,7 @@ Timeline analyse(const scene::OneSurface& one, const AnalyseOptions& how) {
     }
     if (how.certify == Certify::fast) return seeded(one, side, how, how.first, last, callbacks);
     const Interval range{one.scene.timeline.time(how.first), one.scene.timeline.time(last)};
-    return proved(find_events(one, side, range, event_search(how, callbacks)),
+    return proved(find_events(one, side, range, event_search(how, callbacks)), one,
                   motions(one, side, range, Clock::time), how, range, callbacks,
                   signs_of(one, side, callbacks));
 }
@@ -279,8 +282,8 @@ Timeline analyse_contact(const scene::OneSurface& first, const scene::OneSurface
     const SerialCallbacks callbacks(how);
     const Motions motions = common_motions({first, solid(first, how.solids[0])},
                                            {second, solid(second, how.solids[1])}, range);
-    return proved(find_events(motions, range, event_search(how, callbacks)), motions, how, range,
-                  callbacks);
+    return proved(find_events(motions, range, event_search(how, callbacks)), first, motions, how,
+                  range, callbacks);
 }
 
 } // namespace isomotion::topology

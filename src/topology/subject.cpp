@@ -40,8 +40,11 @@ std::vector<std::string> why_unbounded(const Subject& subject, int frame) {
 }
 
 Timeline analyse(const Subject& subject, const AnalyseOptions& how) {
-    return subject.second ? analyse_contact(subject.first, *subject.second, how)
-                          : analyse(subject.first, how);
+    Timeline timeline = subject.second ? analyse_contact(subject.first, *subject.second, how)
+                                       : analyse(subject.first, how);
+    // From where the surface's coordinates are counted to those of its file.
+    move(timeline, subject.first.surface.field->origin);
+    return timeline;
 }
 
 } // namespace isomotion::topology

@@ -73,6 +73,7 @@ TEST_P(Tapes, DrawWhatIsCompiled) {
              "chebyshev(6, x) + chebyshev(6, y) + chebyshev(6, z)",
              "sqrt(x^2 + y^2) - 1 + z*tanh(z)*atan(x/(2 + y))",
              "z - 0.2*atan2(y, x)",                                // a jump
+             "z + min(noise(2*x, 2*y, z), 0.3*noise(y, 0.7, x)) + 0.1*exp(x)",
              "sqrt(x^2 + y^2) - 1 - 0.2*cos(5*atan2(y, x) + 3*z)", // an angle without one
          })
         expect_alike(*context, scene_text(formula));

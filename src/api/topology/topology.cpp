@@ -171,7 +171,9 @@ std::string Topology::contact() const {
         if (!subject.second) return std::string();
         const auto to_world = [&](double time, const std::array<double, 3>& place) {
             const scene::SurfaceAt now = scene::surface_at(subject.first, time);
-            const glm::dvec3 at = now.placement.to_world({place[0], place[1], place[2]});
+            const auto& origin = subject.first.surface.field->origin;
+            const glm::dvec3 at = now.placement.to_world(
+                {place[0] - origin[0], place[1] - origin[1], place[2] - origin[2]});
             return std::array{at.x, at.y, at.z};
         };
         return topology::contact_text(

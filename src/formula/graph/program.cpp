@@ -184,8 +184,7 @@ Cost cost(const Program& program, std::span<const int> counts) {
         case Instruction::Kind::operation:
             if (instruction.arity > 0) total.operations += repeats.back();
             if (instruction.op == Op::noise) {
-                constexpr double of_noise = 250; // eight corners, and weights along three axes
-                total.operations += of_noise * repeats.back();
+                total.operations += operations_of_noise * repeats.back();
                 total.noises += repeats.back();
             }
             if (!kernel(instruction.op).empty()) total.functions += repeats.back();

@@ -45,6 +45,7 @@ struct Program {
 Program schedule(const Graph& graph, std::span<const NodeId> roots, std::uint32_t inside = 0);
 
 // The cost of one run of the program if array k has counts[k] elements.
+inline constexpr double operations_of_noise = 250; // eight corners, and weights along three axes
 struct Cost {
     double operations = 0; // arithmetic operations and functions
     double iterations = 0; // loop iterations, nested ones multiplied out

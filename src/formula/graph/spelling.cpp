@@ -47,7 +47,7 @@ constexpr std::array advice{
     Pair{"r",
          "write length(x, y, z) for the distance from the origin, length(x, y) from the z axis"},
     Pair{"rho", "write length(x, y) for the distance from the z axis"},
-    Pair{"p", "write x, y and z for the point's parts; length(p) and dot(p, p) are read"},
+    Pair{"p", "write x, y and z for the point's parts; length(p), dot(p, p) and noise(p) are read"},
     Pair{"re", "a formula has real numbers only"},
     Pair{"im", "a formula has real numbers only"},
     Pair{"vec2", "a formula has numbers and no vectors: length(vec2(a, b)) is read"},

@@ -8,6 +8,7 @@
 
 #include "formula/glsl/exact_results.h"
 #include "formula/interval/interval_operations.h"
+#include "formula/interval/noise_enclosure.h"
 #include "formula/tape/tape_order.h"
 
 namespace isomotion::formula {
@@ -32,6 +33,8 @@ Interval value_of(const TapeStep& step, const std::array<Interval, 4>& of) {
 #undef CASE
     case Op::select:
         return Do::select(of[0], of[1], of[2], of[3]);
+    case Op::noise:
+        return NoiseEnclosure(NoiseOrder::unpacked(step.index))(of[0], of[1], of[2]);
     default: // chebyshev: nothing is decided by its values
         return Interval::entire();
     }
@@ -313,8 +316,7 @@ std::optional<Tape> tape_of(std::span<const TapeSource> sources) {
         const std::vector<bool> exact = exact_results(program);
         for (const Instruction& now : program.instructions) {
             const bool is_known = now.kind == Instruction::Kind::operation &&
-                                  now.op != Op::element && now.op != Op::random &&
-                                  now.op != Op::noise;
+                                  now.op != Op::element && now.op != Op::random;
             if (!is_known) return {};
             TapeStep step{
                 .op = now.op, .arity = now.arity, .index = now.index, .second = now.second};

@@ -26,9 +26,10 @@ struct TapeStep {
     Op op = Op::constant; // constant, input, parameter or an operation
     std::uint8_t arity = 0;
     bool is_exact = false; // on intervals, where it can be: glsl/exact_results.h
-    int index = 0;    // of an input or parameter; the degree of chebyshev; Graph::select's slope_of
-    int second = 0;   // the derivative of chebyshev
-    int follows = -1; // the min or max that a select is the slope of, an earlier step
+    // Of an input or parameter; the degree of chebyshev; noise's order; Graph::select's slope_of.
+    int index = 0;
+    int second = 0;                // the derivative of chebyshev
+    int follows = -1;              // the min or max that a select is the slope of, an earlier step
     std::array<int, 4> operands{}; // earlier steps
     Interval value{};              // holds a constant
 };
@@ -45,8 +46,7 @@ struct TapeSource {
 };
 
 // Joins several programs: the outputs of the first come before those of the next. Steps that they
-// share are done once. None for programs with loops over elements or noise. Parameters are steps
-// yet.
+// share are done once. None for programs with loops over elements. Parameters are steps yet.
 std::optional<Tape> tape_of(std::span<const TapeSource> sources);
 
 // The tape with parameters for constants.

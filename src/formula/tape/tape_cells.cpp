@@ -367,6 +367,7 @@ std::optional<TapeFunctions> TapeFunctions::of(const std::vector<TapeRequest>& r
         function.registers = int(std::bit_ceil(unsigned(words->registers) + loaded));
         if (function.registers > most_tape_registers) return {};
         function.turns = words->turns;
+        function.noises = words->noises;
         made.functions_.push_back(std::move(function));
         output += outputs;
     }

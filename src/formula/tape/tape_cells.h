@@ -35,7 +35,7 @@ public:
         int values = 0, slopes = 0; // of these
         int inputs = 0;             // 3, or 6 with a direction behind them
         int registers = 0;          // a power of two
-        int turns = 0;              // of the whole tape
+        int turns = 0, noises = 0;  // of the whole tape
         bool has_own_order = false; // its steps are put into another order than that of all
     };
     const Function& operator[](std::size_t k) const { return functions_[k]; }

@@ -19,7 +19,7 @@ bool is_leaf(const TapeStep& step) { return step.op == Op::constant || step.op =
 
 // Whether the operation takes a processor as long as dozens of products.
 bool takes_long(Op op) {
-    if (op == Op::chebyshev) return true;
+    if (op == Op::chebyshev || op == Op::noise) return true;
     const Traits* row = traits(op);
     return op != Op::sqrt && !is_arithmetic(op) && row && row->shader == Shader::kernel;
 }
@@ -142,7 +142,7 @@ public:
             load(from, inputs_ + int(o));
         }
         end_group();
-        return {std::move(words_), used_, turns_};
+        return {std::move(words_), used_, turns_, noises_};
     }
 
 private:
@@ -241,6 +241,11 @@ private:
     void call(std::uint32_t code, int result, const TapeStep& step, std::vector<int>& loaded) {
         const int a = in_register(step.operands[0], loaded);
         const int b = step.arity > 1 ? in_register(step.operands[1], loaded) : a;
+        if (step.arity > 2) {
+            const int c = in_register(step.operands[2], loaded);
+            emit(TapeOperations::hold, result, c, c);
+        }
+        noises_ += step.op == Op::noise;
         end_group();
         begin_group(
             {code | std::uint32_t(result) << 10 | std::uint32_t(a) << 21, std::uint32_t(b)});
@@ -286,7 +291,7 @@ private:
     int used_;
     std::vector<std::uint32_t> words_;
     std::size_t group_ = 0; // where it begins
-    int turns_ = 0;
+    int turns_ = 0, noises_ = 0;
 };
 
 } // namespace
@@ -311,13 +316,17 @@ TapeOperations::TapeOperations(const Tape& whole, TapeNumbers numbers)
 }
 
 TapeOperations::Operation TapeOperations::operation(const TapeStep& step) const {
-    const bool is_chebyshev = step.op == Op::chebyshev;
-    return {step.op, is_chebyshev ? step.index : 0, is_chebyshev ? step.second : 0,
+    const bool is_family = step.op == Op::chebyshev || step.op == Op::noise;
+    return {step.op, is_family ? step.index : 0, is_family ? step.second : 0,
             step.op == Op::multiply && step.operands[0] == step.operands[1],
             step.is_exact && numbers_ != TapeNumbers::floats};
 }
 
 bool TapeOperations::is_call(const TapeStep& step) { return takes_long(step.op); }
+
+int TapeOperations::orders_of_noise() const {
+    return int(std::ranges::count(calls_, Op::noise, &Operation::op));
+}
 
 std::uint32_t TapeOperations::code(const TapeStep& step) const {
     const bool calls = is_call(step);
@@ -349,7 +358,10 @@ std::set<std::string> TapeOperations::kernels() const {
 // The operation on inputs 0 to 3.
 Program TapeOperations::program(const Operation& of) const {
     const Traits* row = traits(of.op);
-    const std::uint8_t arity = of.op == Op::select ? 4 : row ? std::uint8_t(row->arguments) : 1;
+    const std::uint8_t arity = of.op == Op::select  ? 4
+                               : of.op == Op::noise ? 3
+                               : row                ? std::uint8_t(row->arguments)
+                                                    : 1;
     Program alone;
     Instruction operation{.op = of.op, .arity = arity, .index = of.index, .second = of.second};
     for (int k = 0; k < arity; ++k) {
@@ -372,19 +384,25 @@ std::string TapeOperations::functions(const std::string& name, const std::vector
     for (std::size_t k = 0; k < of.size(); ++k) {
         const Program alone = program(of[k]);
         const std::string function = fmt::format("{}_{}", name, first + k);
-        const bool chooses = of[k].op == Op::select;
-        const std::string head = fmt::format("{0} {1}({0} a, {0} b{2})", type, function,
-                                             chooses ? fmt::format(", {0} c, {0} d", type) : "");
+        const std::size_t operands = alone.instructions.back().arity;
+        const std::string head = fmt::format("{0} {1}({0} a, {0} b{2}{3})", type, function,
+                                             operands > 2 ? fmt::format(", {} c", type) : "",
+                                             operands > 3 ? fmt::format(", {} d", type) : "");
         const std::vector<std::string> inputs{"a", "b", "c", "d"};
         text += floats ? emit_glsl(alone, {head, type, inputs}, {})
                        : emit_interval_glsl(alone, {head, inputs, type, {}}, {});
-        std::string result =
-            fmt::format("{}({})", function, chooses ? "held_a, held_b, a, b" : "a, b");
+        std::string result = fmt::format("{}({})", function,
+                                         operands > 3   ? "held_a, held_b, a, b"
+                                         : operands > 2 ? "a, b, held_a"
+                                                        : "a, b");
         if (of[k].is_exact) result = made_exact(of[k].op, result);
         // Negative bases have integer powers.
         if (of[k].op == Op::power && !floats)
             result = fmt::format("IM_SELECT2(b.x == b.y, im_pow(a, b.x), {})", result);
-        chosen += fmt::format("    v = {}(op == {}u, {}, v);\n", select, first + k, result);
+        // Noise goes through cells, which nothing else should wait for.
+        chosen += of[k].op == Op::noise
+                      ? fmt::format("    if (op == {}u) v = {};\n", first + k, result)
+                      : fmt::format("    v = {}(op == {}u, {}, v);\n", select, first + k, result);
         const std::string rough =
             numbers_ == TapeNumbers::decorated ? rough_where(of[k].op) : std::string();
         if (!rough.empty()) {

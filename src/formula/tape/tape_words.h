@@ -8,7 +8,8 @@
 //
 // Operations that take a processor as long as dozens of products are calls. Software renderers
 // compute every operation for each instruction and keep one result. So calls have a place of their
-// own: a tape is a row of groups, each a call, the number of instructions behind it, and these.
+// own: a tape is a row of groups, each a call, the number of instructions behind it, and these. A
+// call's third operand is held by an instruction before it.
 #pragma once
 
 #include <cstdint>
@@ -45,11 +46,13 @@ public:
     bool have_codes() const;
 
     TapeNumbers numbers() const { return numbers_; }
+    int orders_of_noise() const;
     // The number of the operation, which counts calls apart from others.
     std::uint32_t code(const TapeStep& step) const;
     static bool is_call(const TapeStep& step);
 
-    // load: b; hold: a, and keeps both for the selection that follows; join: the hull of both.
+    // load: b; hold: a, and keeps both for the selection or the call that follows; join: the hull
+    // of both.
     static constexpr std::uint32_t load = 0, hold = 1, join = 2, first_code = 3;
 
 private:
@@ -77,6 +80,7 @@ struct TapeWords {
     std::vector<std::uint32_t> words;
     int registers = 0; // that it takes
     int turns = 0;     // of the interpreter's loops
+    int noises = 0;    // calls of noise, whose bounds have loops of their own
 };
 
 // None if it takes more than `most` registers. The first registers hold the inputs, those behind

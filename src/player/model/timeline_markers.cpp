@@ -39,8 +39,10 @@ double middle(formula::Interval time, formula::Interval range) {
                           std::max(std::min(time.hi, range.hi), std::max(time.lo, range.lo))));
 }
 
-glm::dvec3 middle_of(const std::array<formula::Interval, 3>& where) {
-    return {mid(where[0]), mid(where[1]), mid(where[2])};
+// The middle of a place, counted as the surface's own coordinates are.
+glm::dvec3 middle_of(const std::array<formula::Interval, 3>& where, const scene::OneSurface& one) {
+    const auto& origin = one.surface.field->origin;
+    return {mid(where[0]) - origin[0], mid(where[1]) - origin[1], mid(where[2]) - origin[2]};
 }
 
 // What makes a timeline anew.
@@ -113,7 +115,7 @@ TopologyMarkers topology_markers(const scene::OneSurface& one,
         if (!marker(TimelineMarker::Kind::event, event.time, what(event))) continue;
         const double frame = found.markers.back().frame;
         found.events.push_back(
-            {frame, frame, event.kind, true, event.is_proved, middle_of(event.where), 0});
+            {frame, frame, event.kind, true, event.is_proved, middle_of(event.where, one), 0});
     }
     for (const topology::Unresolved& place : timeline.unresolved) {
         if (!marker(TimelineMarker::Kind::unresolved, place.time,
@@ -125,7 +127,7 @@ TopologyMarkers topology_markers(const scene::OneSurface& one,
         if (!std::ranges::all_of(place.where, is_bounded)) continue;
         found.events.push_back({std::max(1.0, topology::frame_at(fps, place.time.lo)),
                                 topology::frame_at(fps, place.time.hi), topology::Kind::unknown,
-                                false, false, middle_of(place.where), 0});
+                                false, false, middle_of(place.where, one), 0});
     }
     std::ranges::stable_sort(found.markers, {}, &TimelineMarker::frame);
     return found;

@@ -9,6 +9,8 @@
 
 #include <fmt/format.h>
 
+#include "formula/graph/noise.h"
+
 namespace isomotion::scene {
 namespace {
 
@@ -45,6 +47,8 @@ constexpr PovFunction pov_functions[] = {
     {"degrees", 1, "($0*180/pi)", [](Numbers a) { return a[0] * 180 / std::numbers::pi; }},
     {"div", 2, "trunc($0/$1)", [](Numbers a) { return std::trunc(a[0] / a[1]); }},
     {"exp", 1, "exp($0)", of_one<std::exp>},
+    {"f_noise3d", 3, "(0.5 + 0.5*noise($0, $1, $2))",
+     [](Numbers a) { return 0.5 + 0.5 * formula::noise(a[0], a[1], a[2], {}); }},
     {"floor", 1, "floor($0)", of_one<std::floor>},
     {"int", 1, "trunc($0)", of_one<std::trunc>},
     {"ln", 1, "log($0)", of_one<std::log>},
@@ -158,10 +162,10 @@ bool is_pov_function(std::string_view name) {
 
 std::string pov_function_refusal(const std::string& name) {
     if (is_pov_function(name)) return {};
-    if (name == "f_noise3d" || name == "f_noise_generator" || name == "f_ridged_mf" ||
-        name == "f_ridge" || name == "f_hetero_mf") {
-        return fmt::format("the function {} is not read: it is POV-Ray's noise, for which there is "
-                           "no formula; leave it out, or write a sum of sines",
+    if (name == "f_noise_generator" || name == "f_ridged_mf" || name == "f_ridge" ||
+        name == "f_hetero_mf") {
+        return fmt::format("the function {} is not read: there is no formula for it; write a sum "
+                           "of f_noise3d",
                            name);
     }
     std::string words = "min, max";

@@ -242,6 +242,54 @@ void SceneReader::animate() {
     if (surface().field) surface().animation.keep_fields(surface().field->packing);
 }
 
+// The field, again, and all that is made of it.
+void SceneReader::make_field_again() {
+    animate();
+    make_field(*parts_, tracks_, mistakes_);
+    animate();
+    make_paints(material_, *parts_, mistakes_);
+    store_elements_of(*parts_, paints_of(surface().material));
+    surface().animation.keep_fields(surface().field->packing);
+}
+
+// Counts coordinates from the middle of bounds that lie far from the origin, where floats are too
+// coarse, if that brings them nearer to F. The placement makes up for it.
+void SceneReader::recentre() {
+    const SurfaceAt& first = first_.surfaces.front();
+    if (!probe::is_far(first.bounds)) return;
+    const Placement& placement = surface().placement;
+    const auto is_number = [this](TrackId track) { return tracks_.is_number(track); };
+    if (!is_number(placement.scale) || !std::ranges::all_of(placement.rotate, is_number)) return;
+
+    // A number of few digits: differences from the formula's own are exact.
+    const double unit = std::exp2(std::ilogb(first.bounds.radius) - 4);
+    const glm::dvec3 origin = unit * glm::round(first.bounds.centre / unit);
+    SurfaceAt there = first;
+    for (glm::dvec3* place : {&there.bounds.min, &there.bounds.max, &there.bounds.centre})
+        *place -= origin;
+    const std::array<double, 3> from{origin.x, origin.y, origin.z};
+    const formula::Field field =
+        formula::make_field(*parts_->formula, parts_->vocabulary, nullptr, from);
+    constexpr double enough = 0.25;
+    if (probe::float32_displacement(field, there) >
+        enough * probe::float32_displacement(*surface().field, first))
+        return;
+
+    parts_->origin = from;
+    const Bounds& bounds = surface().bounds;
+    const glm::dvec3 moved =
+        first.placement.scale * (first.placement.rotate * origin); // in the world
+    const bool is_box = bounds.shape == Bounds::Shape::box;
+    for (std::size_t k = 0; k < 3; ++k) {
+        for (const TrackId track :
+             is_box ? std::vector{bounds.min[k], bounds.max[k]} : std::vector{bounds.centre[k]})
+            tracks_.add_to(track, -from[k]);
+        tracks_.add_to(placement.translate[k], moved[int(k)]);
+    }
+    make_field_again();
+    evaluate();
+}
+
 // The values of the first frame. Settings are chosen once, there: every frame is marched alike.
 void SceneReader::evaluate() {
     while (may_evaluate_) {
@@ -262,8 +310,9 @@ void SceneReader::find_bounds() {
     const std::optional<probe::FoundBounds> found = probe::find_bounds(scene_);
     if (!found) {
         fail(table, parts_->bounds_key,
-             "is missing, and looking for the surface of so many elements or frames would take "
-             "long; give { sphere = radius } or { box = [[x0, y0, z0], [x1, y1, z1]] }");
+             "is missing, and looking for the surface would take long, as the formula has so many "
+             "operations, elements or frames; give { sphere = radius } or { box = [[x0, y0, z0], "
+             "[x1, y1, z1]] }");
     }
     toml::table ball{{"sphere", found->radius}};
     const glm::dvec3& centre = found->centre;
@@ -278,6 +327,7 @@ void SceneReader::find_bounds() {
 }
 
 void SceneReader::measure() {
+    recentre();
     const SurfaceAt& first = first_.surfaces.front();
     Surface& surface = scene_.surfaces.front();
     Isolation& isolation = surface.isolation;

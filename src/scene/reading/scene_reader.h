@@ -49,6 +49,8 @@ private:
     void animate();
     void evaluate();
     void find_bounds();
+    void make_field_again();
+    void recentre();
     void measure();
 
     toml::table& root_;

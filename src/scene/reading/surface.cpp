@@ -288,10 +288,13 @@ std::unique_ptr<SurfaceParts> read_surface(Section& section, Section& sections,
 
 bool make_field(SurfaceParts& parts, TrackTable& tracks, MistakeList& mistakes) {
     if (!parts.are_arrays_known) return false;
+    // Those that were found before.
+    std::erase_if(parts.arrays, [](const auto& array) { return array.is_of_formula; });
+    parts.vocabulary.arrays.resize(parts.arrays.size());
     std::vector<formula::ElementNumbers> repeated;
     const auto make = [&](const std::string& formula) {
         parts.surface.field = std::make_shared<formula::Field>(
-            formula::make_field(formula, parts.vocabulary, &repeated));
+            formula::make_field(formula, parts.vocabulary, &repeated, parts.origin));
     };
     const bool is_right = parts.formula && mistakes.attempt([&] {
         try {

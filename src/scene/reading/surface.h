@@ -25,6 +25,7 @@ struct SurfaceParts {
     std::vector<animation::Array> arrays{};
     bool are_arrays_known = true; // none is wrong as a whole
     formula::Vocabulary vocabulary{};
+    std::array<double, 3> origin{}; // where the field's coordinates are 0
     std::optional<toml::table> catalogue{}; // the catalogue's file, kept for places and [isolation]
 };
 

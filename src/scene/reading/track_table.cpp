@@ -43,6 +43,22 @@ void TrackTable::set(TrackId track, double value) {
     tracks_[std::size_t(track)].track.source = value;
 }
 
+void TrackTable::add_to(TrackId track, double number) {
+    animation::TrackSource& source = tracks_[std::size_t(track)].track.source;
+    if (double* value = std::get_if<double>(&source)) {
+        *value += number;
+    } else if (auto* keys = std::get_if<animation::Keys>(&source)) {
+        for (animation::Key& key : keys->keys) key.value += number;
+    } else {
+        auto& text = std::get<animation::Expression>(source).text;
+        text = fmt::format("({}) + ({})", text, number);
+    }
+}
+
+bool TrackTable::is_number(TrackId track) const {
+    return std::holds_alternative<double>(tracks_[std::size_t(track)].track.source);
+}
+
 // Replaces the whole value that the name is of: a track, or several, as the ends of a range.
 bool TrackTable::replace(const std::string& name) {
     std::set<std::string> values;

@@ -36,6 +36,10 @@ public:
     int size() const { return int(tracks_.size()); }
     // Lets a track have this value at all times.
     void set(TrackId track, double value);
+    // Adds a number to a track's values.
+    void add_to(TrackId track, double number);
+    // Whether a track has one value at all times.
+    bool is_number(TrackId track) const;
 
     // Builds the animation. Expressions that are wrong are told, each at its place in the file, and
     // replaced.

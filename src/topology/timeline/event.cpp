@@ -82,4 +82,17 @@ bool Timeline::is_complete() const {
            start_is_proved && end_is_proved;
 }
 
+std::array<formula::Interval, 3> moved(std::array<formula::Interval, 3> where,
+                                       const std::array<double, 3>& by) {
+    for (std::size_t k = 0; k < where.size(); ++k) {
+        if (by[k] != 0) where[k] = where[k] + formula::Interval(by[k]); // sums are rounded outwards
+    }
+    return where;
+}
+
+void move(Timeline& timeline, const std::array<double, 3>& by) {
+    for (Event& event : timeline.events) event.where = moved(event.where, by);
+    for (Unresolved& place : timeline.unresolved) place.where = moved(place.where, by);
+}
+
 } // namespace isomotion::topology

@@ -110,4 +110,9 @@ struct Timeline {
     bool operator==(const Timeline&) const = default;
 };
 
+// A place moved by a vector; and all places of a timeline.
+std::array<formula::Interval, 3> moved(std::array<formula::Interval, 3> where,
+                                       const std::array<double, 3>& by);
+void move(Timeline& timeline, const std::array<double, 3>& by);
+
 } // namespace isomotion::topology

@@ -48,9 +48,12 @@ private:
     std::set<int> tracks_;
 };
 
-TimelineHeader::Box box_of(const scene::BoundsAt& bounds) {
+TimelineHeader::Box box_of(const scene::BoundsAt& bounds, const std::array<double, 3>& origin) {
     TimelineHeader::Box box;
-    for (int k = 0; k < 3; ++k) box[std::size_t(k)] = {bounds.min[k], bounds.max[k]};
+    for (int k = 0; k < 3; ++k) {
+        const double from = origin[std::size_t(k)];
+        box[std::size_t(k)] = {from + bounds.min[k], from + bounds.max[k]};
+    }
     return box;
 }
 
@@ -100,7 +103,9 @@ std::string fingerprint_of(const scene::OneSurface& one, bool with_placement) {
 std::string fingerprint(const scene::OneSurface& one) { return fingerprint_of(one, false); }
 
 TimelineHeader header_of(const scene::OneSurface& one, formula::Interval range) {
-    const auto bounds = [&](double time) { return box_of(scene::surface_at(one, time).bounds); };
+    const auto bounds = [&](double time) {
+        return box_of(scene::surface_at(one, time).bounds, one.surface.field->origin);
+    };
     return {one.scene.title,
             fingerprint(one),
             one.scene.timeline.fps,

@@ -12,6 +12,7 @@
 #include "formula/field.h"
 #include "formula/graph/operations.h"
 #include "formula/interval/interval_operations.h"
+#include "formula/interval/noise_enclosure.h"
 #include "formula/tape/unrolled.h"
 #include "testing.h"
 
@@ -58,6 +59,13 @@ std::vector<Number> run(const Tape& tape, const std::array<Number, 6>& inputs) {
                 return Do::power(of[0], of[1]);
             case Op::select:
                 return Do::select(of[0], of[1], of[2], of[3]);
+            case Op::noise: {
+                const NoiseOrder order = NoiseOrder::unpacked(step.index);
+                if constexpr (std::is_same_v<Number, double>)
+                    return noise(of[0], of[1], of[2], order);
+                else
+                    return NoiseEnclosure(order)(of[0], of[1], of[2]);
+            }
             default:
                 ADD_FAILURE() << "no operation " << int(step.op);
                 return Number(0);
@@ -104,6 +112,7 @@ const std::vector<std::string> formulas_with_choices{
     "min(x, y)*min(x, y, z) - max(x, 0.5)",
     "max(max(x, 0), z) + sqrt(x) - 1",
     "max(max(1, abs(x)), z) + asin(x) - 2.5",
+    "max(noise(x, 2*y, z) - y, min(z, noise(z, x, 0.5)) - 2)",
     "min(y, min(log(x), 2 + x^2))",
 };
 
@@ -287,6 +296,12 @@ TEST(Tape, IsInWordsThatAnInterpreterReads) {
     const TapeOperations of_calls(calls, TapeNumbers::floats);
     EXPECT_TRUE(of_calls.has_calls());
     EXPECT_TRUE(words_of(calls, of_calls, 3));
+    const Tape noises = part_of(tape_of_field("noise(x, y, z) + noise(y, z, 2*x) + exp(x)"), 0, 1);
+    const TapeOperations of_noises(noises, TapeNumbers::intervals);
+    EXPECT_EQ(of_noises.orders_of_noise(), 1);
+    const auto with_noises = words_of(noises, of_noises, 3);
+    ASSERT_TRUE(with_noises);
+    EXPECT_EQ(with_noises->noises, 2);
 }
 
 // Of the cells of a grid those hold no root whose tape says so, and each finds a tape.

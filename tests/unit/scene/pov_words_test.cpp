@@ -11,6 +11,7 @@
 #include <fmt/format.h>
 
 #include "formula/field.h"
+#include "formula/graph/noise.h"
 #include "scene/scene_at.h"
 
 namespace isomotion::scene::pov_words_test {
@@ -87,8 +88,12 @@ TEST(PovWords, Functions) {
     EXPECT_EQ(function_at("int(y*3)", p), -2);
     EXPECT_EQ(function_at("div(z*10, 4)", p), 2);
     EXPECT_NEAR(function_at("pow(x - 1, 2)", p), 0.49, 1e-12);
-    EXPECT_THAT(mistake_of("isosurface { function { x - f_noise3d(x, y, z) } }"),
-                HasSubstr("words.pov:1: function: the function f_noise3d is not read: it is "));
+    EXPECT_NEAR(function_at("f_noise3d(x*3, y, z)", p),
+                0.5 + 0.5 * formula::noise(3 * p.x, p.y, p.z, {}), 1e-12);
+    EXPECT_NEAR(function_at("f_noise3d(0.2, 0.3, 0.4) + y*0", p),
+                0.5 + 0.5 * formula::noise(0.2, 0.3, 0.4, {}), 1e-12);
+    EXPECT_THAT(mistake_of("isosurface { function { x - f_ridge(x, y, z, 1, 2, 3, 4, 5, 6) } }"),
+                HasSubstr("words.pov:1: function: the function f_ridge is not read: there is no "));
     EXPECT_THAT(mistake_of("isosurface { function { f_torus(x, y, z, 1) } }"),
                 HasSubstr("f_torus takes 5 numbers, not 4"));
     EXPECT_THAT(mistake_of("isosurface { function { select(x, 1) } }"),
