@@ -90,8 +90,8 @@ TEST(PovWords, Functions) {
     EXPECT_NEAR(function_at("pow(x - 1, 2)", p), 0.49, 1e-12);
     EXPECT_NEAR(function_at("f_noise3d(x*3, y, z)", p),
                 0.5 + 0.5 * formula::noise(3 * p.x, p.y, p.z, {}), 1e-12);
-    EXPECT_NEAR(function_at("f_noise3d(0.2, 0.3, 0.4) + y*0", p),
-                0.5 + 0.5 * formula::noise(0.2, 0.3, 0.4, {}), 1e-12);
+    EXPECT_NEAR(function_at("f_noise3d(0.2, 0.3, 0.4) + y", p),
+                0.5 + 0.5 * formula::noise(0.2, 0.3, 0.4, {}) + p.y, 1e-12);
     EXPECT_THAT(mistake_of("isosurface { function { x - f_ridge(x, y, z, 1, 2, 3, 4, 5, 6) } }"),
                 HasSubstr("words.pov:1: function: the function f_ridge is not read: there is no "));
     EXPECT_THAT(mistake_of("isosurface { function { f_torus(x, y, z, 1) } }"),

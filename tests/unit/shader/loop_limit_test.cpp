@@ -25,7 +25,7 @@ TEST_P(LoopLimit, HoldsTheTurnsOfNoiseBounds) {
                                     FieldFunction::directional_interval};
         const formula::Cost cost = shader::cost(field, storage, functions, {});
         const int planned = int(loop_iterations_per_pass / (1 + cost.iterations));
-        ASSERT_GT(planned, 100) << formula;
+        ASSERT_GT(planned, 50) << formula;
 
         ShaderText text;
         add_field(text, field, storage, functions);
