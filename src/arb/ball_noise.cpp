@@ -71,7 +71,7 @@ Ball noise(const std::array<Ball, 3>& place, const formula::NoiseOrder& order, s
     const double bound = formula::noise_bound(order);
     const formula::lattice::Cells cells = cells_of(place);
     const Ball anywhere(-bound, bound), unit(0, 1);
-    if (!cells.are_few()) return anywhere;
+    if (!cells.are_few()) return Ball(anywhere);
     std::optional<Ball> all;
     cells.visit([&](const std::array<double, 3>& low) {
         const auto within = [&](std::size_t axis) {
