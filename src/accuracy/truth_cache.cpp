@@ -18,7 +18,7 @@ constexpr std::string_view version = "isomotion truth 5";
 static_assert(std::is_trivially_copyable_v<roots::FirstRoot>);
 
 void add(base::Fingerprint& print, const formula::Field& field, const scene::OneSurfaceAt& now) {
-    print.add(field.text);
+    print.add(formula::identity(field));
     const auto add_values = [&](std::initializer_list<double> values) {
         print.add_values(std::span(values.begin(), values.size()));
     };

@@ -204,7 +204,7 @@ void print_surface(const scene::OneSurface& one, const shader::Passes& passes,
             passes.size_compiled);
     const probe::Sight sight = probe::sight(one, now);
     if (one.surface.jumps_are_walls) print_result("jumps     are walls\n");
-    const auto& origin = one.surface.field->origin;
+    const auto& origin = one.surface.field->origin.point;
     if (origin != std::array<double, 3>{})
         print_result("origin    ({:.9g}, {:.9g}, {:.9g}): coordinates are counted from there, as "
                      "floats are too coarse so far out; bounds and transform above, too\n",

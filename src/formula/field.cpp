@@ -4,6 +4,8 @@
 #include <iterator>
 #include <utility>
 
+#include <fmt/format.h>
+
 #include "formula/graph/derivative.h"
 #include "formula/graph/in_range.h"
 #include "formula/graph/lowering.h"
@@ -59,7 +61,7 @@ void derive_programs(Field& field) {
 } // namespace
 
 Field make_field(std::string_view text, Vocabulary vocabulary,
-                 std::vector<ElementNumbers>* repeated, const std::array<double, 3>& origin) {
+                 std::vector<ElementNumbers>* repeated, const Origin& origin) {
     Field field;
     field.text = text;
     field.origin = origin;
@@ -82,6 +84,12 @@ Field make_field(std::string_view text, Vocabulary vocabulary,
     field.packing =
         packing_of(arrays, std::array{&field.value, &field.directional, &field.gradient});
     return field;
+}
+
+std::string identity(const Field& field) {
+    const auto& [x, y, z] = field.origin.point;
+    if (x == 0 && y == 0 && z == 0) return field.text;
+    return fmt::format("{}, from ({}, {}, {})", field.text, x, y, z);
 }
 
 Field scaled(Field field, double scale) {

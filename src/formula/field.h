@@ -10,6 +10,7 @@
 #include "formula/glsl/glsl.h"
 #include "formula/glsl/kernel_calls.h"
 #include "formula/graph/program.h"
+#include "formula/graph/recentred.h"
 #include "formula/graph/repeated_terms.h"
 #include "formula/graph/vocabulary.h"
 
@@ -32,7 +33,7 @@ struct Field {
     Program gradient;     // inputs x y z          -> F_x, F_y, F_z
     ArrayPacking packing; // the fields that each array must supply, in storage order
     double scale = 1;     // F is the user's formula times this power of two
-    std::array<double, 3> origin{}; // where, in the user's coordinates, x, y and z are 0
+    Origin origin;        // where, in the user's coordinates, x, y and z are 0
     // Above 0 if jumps of F across 0 are walls: the distance from a jump within which the gradient
     // is the wall's normal, see graph/walls.h.
     double wall_distance = 0;
@@ -44,8 +45,10 @@ struct Field {
 // graph/repeated_terms.h. Without it, terms stay as they are written. Coordinates are counted from
 // `origin`. Throws ParseError.
 Field make_field(std::string_view text, Vocabulary vocabulary,
-                 std::vector<ElementNumbers>* repeated = nullptr,
-                 const std::array<double, 3>& origin = {});
+                 std::vector<ElementNumbers>* repeated = nullptr, const Origin& origin = {});
+// What tells a field from others: its text and, where it is not 0, the point that its coordinates
+// are counted from.
+std::string identity(const Field& field);
 // The field times a power of two.
 Field scaled(Field field, double scale);
 // The same field with a larger packing: after what F reads, the fields that a program beside it

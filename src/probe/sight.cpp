@@ -185,12 +185,13 @@ Sight sight(const OneSurface& one, const OneSurfaceAt& now) {
         const double at_eye = f_at({eye})[0];
         found.eye_in_solid = below > 0.5 ? at_eye > 0 : at_eye < 0;
     }
-    const auto& origin = field.origin;
+    const auto& origin = field.origin.point;
     // A 64th of a pixel of a picture 512 pixels high.
     constexpr double visible = 0x1p-14;
     const bool is_moved = origin != std::array<double, 3>{};
     const scene::BoundsAt& bounds = now.surface.bounds;
-    if (is_far(bounds) || (is_moved && float32_displacement(field, now.surface) > visible))
+    const double displacement = is_moved ? float32_displacement(field, now.surface) : 0;
+    if (is_far(bounds) || (displacement > visible && std::isfinite(displacement)))
         found.far_middle = bounds.centre + glm::dvec3(origin[0], origin[1], origin[2]);
     return found;
 }

@@ -176,9 +176,8 @@ double float32_displacement(const formula::Field& field, const SurfaceAt& surfac
 }
 
 bool is_far(const scene::BoundsAt& bounds) {
-    constexpr double most_radii = 1000;
     const glm::dvec3 away = glm::abs(bounds.centre);
-    return std::max({away.x, away.y, away.z}) > most_radii * bounds.radius;
+    return std::max({away.x, away.y, away.z}) > far_radii * bounds.radius;
 }
 
 } // namespace isomotion::probe

@@ -35,8 +35,10 @@ Float32Loss float32_loss(const formula::Field& field, const scene::SurfaceAt& su
 // sample points near it. Infinite if there are none.
 double float32_displacement(const formula::Field& field, const scene::SurfaceAt& surface);
 
-// Whether bounds lie so far from the origin that their coordinates in float32 are off by a 64th of
-// a pixel, in pictures 512 pixels high.
+// At so many radii of the bounds coordinates in float32 are off by a 64th of a pixel, in pictures 512
+// pixels high.
+inline constexpr double far_radii = 1000;
+// Whether bounds lie so far from the origin.
 bool is_far(const scene::BoundsAt& bounds);
 
 } // namespace isomotion::probe

@@ -149,9 +149,10 @@ public:
         to.max = vector(from.max);
         for (int k = 0; k < 3; ++k) {
             if (to.min[k] < to.max[k]) continue;
+            const double origin = surface_.field ? surface_.field->origin.point[std::size_t(k)] : 0;
             fail(from.min[std::size_t(k)],
                  fmt::format("the first corner of the box must be below the second: {} and {}",
-                             to.min[k], to.max[k]));
+                             origin + to.min[k], origin + to.max[k]));
         }
         to.centre = 0.5 * (to.min + to.max);
         to.radius = 0.5 * glm::length(to.max - to.min);

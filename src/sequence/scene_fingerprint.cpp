@@ -36,7 +36,7 @@ Fingerprint print_of(const scene::OneSurface& one, std::span<const shader::Effec
     const auto& [scene, surface, index] = one;
     const animation::Animation& animation = surface.animation;
     Fingerprint print;
-    print.add("isomotion scene 1").add(scene.title).add(surface.field->text);
+    print.add("isomotion scene 1").add(scene.title).add(formula::identity(*surface.field));
     print.add(animation::to_string(scene.timeline.fps)).add(std::to_string(animation.seed()));
     for (const animation::Track& track : animation.tracks()) scene::add(print, track);
     for (std::size_t a = 0; a < animation.arrays().size(); ++a)

@@ -194,7 +194,7 @@ Timeline proved(Timeline timeline, const scene::OneSurface& first, const Motions
         by_cells = frame.is_by_cells;
         if (!is_proved)
             why = fmt::format("{}: {}, near {}", not_known, frame.why,
-                              place_text(moved(frame.where, first.surface.field->origin)));
+                              place_text(moved(frame.where, first.surface.field->origin.point)));
         return why;
     };
     std::string no_start, no_end;

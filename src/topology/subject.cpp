@@ -43,7 +43,7 @@ Timeline analyse(const Subject& subject, const AnalyseOptions& how) {
     Timeline timeline = subject.second ? analyse_contact(subject.first, *subject.second, how)
                                        : analyse(subject.first, how);
     // From where the surface's coordinates are counted to those of its file.
-    move(timeline, subject.first.surface.field->origin);
+    move(timeline, subject.first.surface.field->origin.point);
     return timeline;
 }
 

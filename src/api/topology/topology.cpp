@@ -171,7 +171,7 @@ std::string Topology::contact() const {
         if (!subject.second) return std::string();
         const auto to_world = [&](double time, const std::array<double, 3>& place) {
             const scene::SurfaceAt now = scene::surface_at(subject.first, time);
-            const auto& origin = subject.first.surface.field->origin;
+            const auto& origin = subject.first.surface.field->origin.point;
             const glm::dvec3 at = now.placement.to_world(
                 {place[0] - origin[0], place[1] - origin[1], place[2] - origin[2]});
             return std::array{at.x, at.y, at.z};

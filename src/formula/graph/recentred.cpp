@@ -4,51 +4,73 @@
 #include <optional>
 
 #include "formula/graph/substitute.h"
+#include "formula/interval/double_double.h"
 
 namespace isomotion::formula {
 namespace {
 
+// Constants keep 106 bits, so that what is gathered is what the formula says.
+using Constant = DoubleDouble<double>;
+
+bool is_zero(const Constant& c) { return c.hi == 0 && c.lo == 0; }
+
+Constant quotient(const Constant& a, double b) {
+    const double first = a.hi / b;
+    const Constant rest = a - exactly(first) * exactly(b);
+    return exactly(first) + exactly(rest.hi / b);
+}
+
 // An expression as a sum of one without a constant and a constant.
 struct Apart {
     std::optional<NodeId> rest; // none: the constant alone
-    double constant = 0;
+    Constant constant{};
 };
 
 NodeId joined(Graph& g, const Apart& sum) {
-    if (!sum.rest) return g.constant(sum.constant);
-    return sum.constant == 0 ? *sum.rest : g.add(*sum.rest, g.constant(sum.constant));
+    NodeId all = sum.rest ? *sum.rest : g.constant(sum.constant.hi);
+    if (sum.rest && sum.constant.hi != 0) all = g.add(all, g.constant(sum.constant.hi));
+    return sum.constant.lo == 0 ? all : g.add(all, g.constant(sum.constant.lo));
 }
 
-// The constants of a sum that was gathered are one, at its top.
+// The constants of a sum that was gathered are at its top.
 Apart apart(Graph& g, NodeId id) {
-    const Node node = g[id]; // a copy: the graph grows
-    if (node.op == Op::constant) return {{}, node.value};
-    const auto [a, b] = std::array{node.children[0], node.children[1]};
-    if (node.op == Op::add && g.is_constant(a)) return {b, g[a].value};
-    if (node.op == Op::add && g.is_constant(b)) return {a, g[b].value};
-    if (node.op == Op::subtract && g.is_constant(b)) return {a, -g[b].value};
-    if (node.op == Op::subtract && g.is_constant(a)) return {g.unary(Op::negate, b), g[a].value};
-    return {id, 0};
+    Constant constant{};
+    while (true) {
+        const Node node = g[id]; // a copy: the graph grows
+        const auto [a, b] = std::array{node.children[0], node.children[1]};
+        if (node.op == Op::constant) return {{}, constant + exactly(node.value)};
+        if (node.op == Op::subtract && g.is_constant(a))
+            return {g.unary(Op::negate, b), constant + exactly(g[a].value)};
+        const bool is_sum = node.op == Op::add || node.op == Op::subtract;
+        if (node.op == Op::add && g.is_constant(a)) {
+            constant = constant + exactly(g[a].value);
+            id = b;
+        } else if (is_sum && g.is_constant(b)) {
+            constant = constant + exactly(node.op == Op::add ? g[b].value : -g[b].value);
+            id = a;
+        } else {
+            return {id, constant};
+        }
+    }
 }
 
-// a - n 2 pi, n a whole number, in twice the digits of a double.
-double without_turns(double a) {
-    constexpr double turn = 0x1.921fb54442d18p+2, rest_of_turn = 0x1.1a62633145c07p-52;
-    const double n = std::round(a / turn);
-    return std::fma(-n, rest_of_turn, std::fma(-n, turn, a));
+// a - n 2 pi, n a whole number.
+Constant without_turns(const Constant& a) {
+    constexpr Constant turn{0x1.921fb54442d18p+2, 0x1.1a62633145c07p-52};
+    return a - exactly(std::round(a.hi / turn.hi)) * turn;
 }
 
 // Operations on sums, made of their parts. None for those that no constant passes.
 std::optional<NodeId> gathered(Graph& g, const Node& node) {
+    constexpr double farthest = 0x1p50; // beyond it, turns and steps are not told apart
     const Apart a = apart(g, node.children[0]);
     const Apart b = node.arity > 1 ? apart(g, node.children[1]) : Apart{};
-    if (a.constant == 0 && (b.constant == 0 || !b.rest)) return {};
-    const auto with_rest = [&](Op op, double constant) {
+    if (is_zero(a.constant) && (is_zero(b.constant) || !b.rest)) return {};
+    const auto with_rest = [&](Op op, const Constant& constant) {
         if (a.rest && b.rest) return joined(g, {g.binary(op, *a.rest, *b.rest), constant});
         if (a.rest || op == Op::add) return joined(g, {a.rest ? a.rest : b.rest, constant});
-        return g.subtract(g.constant(constant), *b.rest);
+        return joined(g, {g.unary(Op::negate, *b.rest), constant});
     };
-    const auto without_steps = [&](double step) { return joined(g, {a.rest, a.constant - step}); };
     switch (node.op) {
     case Op::negate:
         return joined(g, {g.unary(Op::negate, *a.rest), -a.constant});
@@ -64,28 +86,48 @@ std::optional<NodeId> gathered(Graph& g, const Node& node) {
         return {};
     case Op::divide:
         if (!a.rest || b.rest) return {};
-        return joined(g, {g.divide(*a.rest, node.children[1]), a.constant / b.constant});
+        return joined(g,
+                      {g.divide(*a.rest, node.children[1]), quotient(a.constant, b.constant.hi)});
     case Op::sin:
     case Op::cos:
     case Op::tan:
-        return g.unary(node.op, without_steps(a.constant - without_turns(a.constant)));
+        if (!(std::abs(a.constant.hi) < farthest)) return {};
+        return g.unary(node.op, joined(g, {a.rest, without_turns(a.constant)}));
     case Op::floor: {
-        const double whole = std::floor(a.constant);
-        return joined(g, {g.unary(Op::floor, without_steps(whole)), whole});
+        if (!(std::abs(a.constant.hi) < farthest)) return {};
+        const Constant whole = exactly(std::floor(a.constant.hi));
+        const NodeId rest = joined(g, {a.rest, a.constant - whole});
+        return joined(g, {g.unary(Op::floor, rest), whole});
     }
     default:
         return {};
     }
 }
 
+// The number as it is written, or none if the node is no far number.
+std::optional<NodeId> counted(Graph& g, const Node& node, const Origin& origin) {
+    if (node.op == Op::input && std::size_t(node.index) < origin.point.size())
+        return g.add(g.input(node.index), g.constant(origin.point[std::size_t(node.index)]));
+    for (const FarNumber& number : origin.numbers) {
+        const bool is_it = number.is_parameter
+                               ? node.op == Op::parameter && node.index == number.index
+                               : node.op == Op::element && node.index == number.index &&
+                                     node.second == number.field;
+        if (!is_it) continue;
+        const NodeId element = g.element(number.near_array, number.near_field);
+        const NodeId near = number.is_parameter ? g.sum(number.near_array, element) : element;
+        return g.add(near, g.constant(number.from));
+    }
+    return {};
+}
+
 } // namespace
 
-NodeId recentred(Graph& graph, NodeId root, const std::array<double, 3>& origin) {
-    if (origin == std::array<double, 3>{}) return root;
+NodeId recentred(Graph& graph, NodeId root, const Origin& origin) {
+    if (origin.point == std::array<double, 3>{} && origin.numbers.empty()) return root;
     const Graph from = graph;
     const auto replacement = [&](Graph& to, const Node& node, NodeId rebuilt) {
-        if (node.op == Op::input && std::size_t(node.index) < origin.size())
-            return to.add(rebuilt, to.constant(origin[std::size_t(node.index)]));
+        if (const auto number = counted(to, node, origin)) return *number;
         const Node now = to[rebuilt]; // a copy: the graph grows
         const bool is_numeric = now.arity == 1 || now.arity == 2;
         if (!is_numeric || is_over_elements(now.op)) return rebuilt;

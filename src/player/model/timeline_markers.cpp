@@ -41,7 +41,7 @@ double middle(formula::Interval time, formula::Interval range) {
 
 // The middle of a place, counted as the surface's own coordinates are.
 glm::dvec3 middle_of(const std::array<formula::Interval, 3>& where, const scene::OneSurface& one) {
-    const auto& origin = one.surface.field->origin;
+    const auto& origin = one.surface.field->origin.point;
     return {mid(where[0]) - origin[0], mid(where[1]) - origin[1], mid(where[2]) - origin[2]};
 }
 

@@ -226,7 +226,8 @@ std::optional<PovNumber> called_pov_function(const std::string& name,
 }
 
 bool is_pov_word_of_formulas(std::string_view name) {
-    static constexpr std::string_view words[] = {"if", "length", "trunc", "clamp", "atanh", "noise"};
+    static constexpr std::string_view words[] = {"if",    "length", "trunc",
+                                                 "clamp", "atanh",  "noise"};
     return std::ranges::count(words, name) > 0;
 }
 

@@ -14,6 +14,7 @@
 #include "scene/limits.h"
 #include "scene/reading/camera.h"
 #include "scene/reading/environment.h"
+#include "scene/reading/far_numbers.h"
 #include "scene/reading/lights.h"
 #include "scene/reading/look.h"
 #include "scene/reading/output.h"
@@ -244,7 +245,6 @@ void SceneReader::animate() {
 
 // The field, again, and all that is made of it.
 void SceneReader::make_field_again() {
-    animate();
     make_field(*parts_, tracks_, mistakes_);
     animate();
     make_paints(material_, *parts_, mistakes_);
@@ -252,40 +252,81 @@ void SceneReader::make_field_again() {
     surface().animation.keep_fields(surface().field->packing);
 }
 
-// Counts coordinates from the middle of bounds that lie far from the origin, where floats are too
-// coarse, if that brings them nearer to F. The placement makes up for it.
+// The tracks that places of the bounds are.
+std::vector<TrackId> places_of(const Bounds& bounds) {
+    if (bounds.shape == Bounds::Shape::sphere) return {bounds.centre.begin(), bounds.centre.end()};
+    std::vector<TrackId> places(bounds.min.begin(), bounds.min.end());
+    places.insert(places.end(), bounds.max.begin(), bounds.max.end());
+    return places;
+}
+
+// Whether the bounds are far from the origin, and near a point, at all frames: at three of them.
+bool SceneReader::stays_far_beside(const glm::dvec3& point) const {
+    const int frames = scene_.timeline.frames;
+    for (const int frame : {1, (1 + frames) / 2, frames}) {
+        BoundsAt bounds;
+        try {
+            bounds = surface_at(scene_, scene_.timeline.time(frame)).bounds;
+        } catch (const SceneError&) { // which is told when that frame is drawn
+            return false;
+        }
+        if (!probe::is_far(bounds)) return false;
+        bounds.centre -= point;
+        if (probe::is_far(bounds)) return false;
+    }
+    return true;
+}
+
+// Counts coordinates, and the numbers that are subtracted from them, from near the middle of bounds
+// that lie far from the origin, unless floats come nearer to F where it is. The placement makes up
+// for it.
 void SceneReader::recentre() {
     const SurfaceAt& first = first_.surfaces.front();
     if (!probe::is_far(first.bounds)) return;
     const Placement& placement = surface().placement;
     const auto is_number = [this](TrackId track) { return tracks_.is_number(track); };
     if (!is_number(placement.scale) || !std::ranges::all_of(placement.rotate, is_number)) return;
+    std::vector<TrackId> moving = places_of(surface().bounds);
+    moving.insert(moving.end(), placement.translate.begin(), placement.translate.end());
+    if (std::ranges::any_of(moving, [this](TrackId id) { return tracks_.has_statements(id); }))
+        return;
 
     // A number of few digits: differences from the formula's own are exact.
     const double unit = std::exp2(std::ilogb(first.bounds.radius) - 4);
-    const glm::dvec3 origin = unit * glm::round(first.bounds.centre / unit);
+    const glm::dvec3 middle = unit * glm::round(first.bounds.centre / unit);
+    if (!stays_far_beside(middle)) return;
     SurfaceAt there = first;
     for (glm::dvec3* place : {&there.bounds.min, &there.bounds.max, &there.bounds.centre})
-        *place -= origin;
-    const std::array<double, 3> from{origin.x, origin.y, origin.z};
-    const formula::Field field =
-        formula::make_field(*parts_->formula, parts_->vocabulary, nullptr, from);
-    constexpr double enough = 0.25;
-    if (probe::float32_displacement(field, there) >
-        enough * probe::float32_displacement(*surface().field, first))
+        *place -= middle;
+    FarNumbers far = far_numbers(*parts_, first, unit);
+    for (const auto& [array, column] : far.columns) {
+        there.bindings.arrays.resize(std::max(there.bindings.arrays.size(), array + 1));
+        there.bindings.arrays[array].count = int(column.size());
+        there.bindings.arrays[array].fields.push_back(column);
+    }
+    const formula::Origin origin{{middle.x, middle.y, middle.z}, far.numbers};
+    // Rays and bounds gain, too, so it need not be better.
+    constexpr double no_worse = 2;
+    try {
+        const formula::Field field =
+            formula::make_field(*parts_->formula, far.vocabulary, nullptr, origin);
+        if (probe::float32_displacement(field, there) >
+            no_worse * probe::float32_displacement(*surface().field, first))
+            return;
+    } catch (const std::length_error&) { // with all that repeats written out
         return;
+    }
 
-    parts_->origin = from;
+    parts_->origin = origin;
+    parts_->arrays = std::move(far.arrays);
+    parts_->vocabulary = std::move(far.vocabulary);
+    parts_->own_arrays = parts_->arrays.size();
     const Bounds& bounds = surface().bounds;
     const glm::dvec3 moved =
-        first.placement.scale * (first.placement.rotate * origin); // in the world
-    const bool is_box = bounds.shape == Bounds::Shape::box;
-    for (std::size_t k = 0; k < 3; ++k) {
-        for (const TrackId track :
-             is_box ? std::vector{bounds.min[k], bounds.max[k]} : std::vector{bounds.centre[k]})
-            tracks_.add_to(track, -from[k]);
-        tracks_.add_to(placement.translate[k], moved[int(k)]);
-    }
+        first.placement.scale * (first.placement.rotate * middle); // in the world
+    const std::vector<TrackId> places = places_of(bounds);
+    for (std::size_t k = 0; k < places.size(); ++k) tracks_.add_to(places[k], -origin.point[k % 3]);
+    for (std::size_t k = 0; k < 3; ++k) tracks_.add_to(placement.translate[k], moved[int(k)]);
     make_field_again();
     evaluate();
 }

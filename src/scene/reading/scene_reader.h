@@ -50,6 +50,7 @@ private:
     void evaluate();
     void find_bounds();
     void make_field_again();
+    bool stays_far_beside(const glm::dvec3& point) const;
     void recentre();
     void measure();
 

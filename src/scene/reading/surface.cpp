@@ -114,6 +114,7 @@ void make_vocabulary(SurfaceParts& parts, TrackTable& tracks, MistakeList& mista
         }
         parts.vocabulary.arrays.push_back(names);
     }
+    parts.own_arrays = parts.arrays.size();
     // The time, in a formula that names it.
     if (parts.formula && names_time(*parts.formula)) {
         tracks.add("t", animation::Expression{"t"}, 0, nullptr);
@@ -288,9 +289,8 @@ std::unique_ptr<SurfaceParts> read_surface(Section& section, Section& sections,
 
 bool make_field(SurfaceParts& parts, TrackTable& tracks, MistakeList& mistakes) {
     if (!parts.are_arrays_known) return false;
-    // Those that were found before.
-    std::erase_if(parts.arrays, [](const auto& array) { return array.is_of_formula; });
-    parts.vocabulary.arrays.resize(parts.arrays.size());
+    parts.arrays.resize(parts.own_arrays);
+    parts.vocabulary.arrays.resize(parts.own_arrays);
     std::vector<formula::ElementNumbers> repeated;
     const auto make = [&](const std::string& formula) {
         parts.surface.field = std::make_shared<formula::Field>(

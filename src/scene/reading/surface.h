@@ -25,7 +25,8 @@ struct SurfaceParts {
     std::vector<animation::Array> arrays{};
     bool are_arrays_known = true; // none is wrong as a whole
     formula::Vocabulary vocabulary{};
-    std::array<double, 3> origin{}; // where the field's coordinates are 0
+    std::size_t own_arrays = 0; // those behind them are of terms that the formula repeats
+    formula::Origin origin{};   // where the field's coordinates are 0
     std::optional<toml::table> catalogue{}; // the catalogue's file, kept for places and [isolation]
 };
 

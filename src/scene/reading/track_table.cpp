@@ -55,6 +55,12 @@ void TrackTable::add_to(TrackId track, double number) {
     }
 }
 
+bool TrackTable::has_statements(TrackId track) const {
+    const auto* text =
+        std::get_if<animation::Expression>(&tracks_[std::size_t(track)].track.source);
+    return text && text->text.find(';') != text->text.npos;
+}
+
 bool TrackTable::is_number(TrackId track) const {
     return std::holds_alternative<double>(tracks_[std::size_t(track)].track.source);
 }

@@ -36,8 +36,9 @@ public:
     int size() const { return int(tracks_.size()); }
     // Lets a track have this value at all times.
     void set(TrackId track, double value);
-    // Adds a number to a track's values.
+    // Adds a number to a track's values, unless it has statements of its own.
     void add_to(TrackId track, double number);
+    bool has_statements(TrackId track) const;
     // Whether a track has one value at all times.
     bool is_number(TrackId track) const;
 

@@ -87,7 +87,7 @@ std::string fingerprint_of(const scene::OneSurface& one, bool with_placement) {
     for (const scene::TrackId id : placed) needed.track(id);
 
     Fingerprint print;
-    print.add("isomotion topology 1").add(one.surface.field->text);
+    print.add("isomotion topology 1").add(formula::identity(*one.surface.field));
     print.add(std::to_string(animation.seed())).add(std::to_string(one.surface.parameters));
     print.add(std::to_string(int(bounds.shape)));
     for (const int id : needed.tracks()) {
@@ -104,7 +104,7 @@ std::string fingerprint(const scene::OneSurface& one) { return fingerprint_of(on
 
 TimelineHeader header_of(const scene::OneSurface& one, formula::Interval range) {
     const auto bounds = [&](double time) {
-        return box_of(scene::surface_at(one, time).bounds, one.surface.field->origin);
+        return box_of(scene::surface_at(one, time).bounds, one.surface.field->origin.point);
     };
     return {one.scene.title,
             fingerprint(one),

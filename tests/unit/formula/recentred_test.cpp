@@ -29,8 +29,9 @@ TEST(Recentred, FloatsKeepTheirDigits) {
           "sin(x)*cos(2*y - 3) + tan(z/50)/10 + floor(x/7)/70000 - sin(-x)",
           "max(-x + 499990, 2*x - 1000020, y - 4649780) + 3*z - 360", "mod(x, 3) + mod(y - 1, 2.5)",
           "u = x - 500000; v = y - 4649776; u^3 - v^2*u + z - 120"}) {
-        const Field far = make_field(formula, {}), near = make_field(formula, {}, nullptr, origin);
-        EXPECT_EQ(near.origin, origin);
+        const Field far = make_field(formula, {}),
+                    near = make_field(formula, {}, nullptr, {origin});
+        EXPECT_EQ(near.origin.point, origin);
         for (int k = 0; k < 200; ++k) {
             const std::array<double, 3> p{within(random), within(random), within(random)};
             const double exact =
@@ -49,10 +50,10 @@ TEST(Recentred, FloatsKeepTheirDigits) {
 
 TEST(Recentred, LeavesNoTraceOfAShiftThatTheFormulaUndoes) {
     const Field near =
-        make_field("(x - 500000)^2 + (y - 4649776)^2 + (z - 120)^2 - 900", {}, nullptr, origin);
+        make_field("(x - 500000)^2 + (y - 4649776)^2 + (z - 120)^2 - 900", {}, nullptr, {origin});
     const Field about_0 = make_field("x^2 + y^2 + z^2 - 900", {});
     EXPECT_EQ(near.value.instructions.size(), about_0.value.instructions.size());
-    EXPECT_EQ(make_field("x^2 - 1", {}, nullptr, {}).origin, (std::array<double, 3>{}));
+    EXPECT_EQ(make_field("x^2 - 1", {}, nullptr, {}).origin.point, (std::array<double, 3>{}));
 }
 
 } // namespace

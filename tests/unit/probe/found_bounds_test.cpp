@@ -28,7 +28,7 @@ TEST_P(FoundBounds, HoldTheSurfaceAndLittleElse) {
     const Scene scene = load(formula);
     ASSERT_EQ(scene.surfaces[0].found_bounds, std::optional(true));
     const BoundsAt bounds = at_frame(scene, 1).surfaces[0].bounds;
-    const auto& origin = scene.surfaces[0].field->origin;
+    const auto& origin = scene.surfaces[0].field->origin.point;
     const glm::dvec3 middle = bounds.centre + glm::dvec3(origin[0], origin[1], origin[2]);
     EXPECT_GE(bounds.radius, radius + glm::length(middle - centre));
     EXPECT_LE(bounds.radius, 1.35 * radius);

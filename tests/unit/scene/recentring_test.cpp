@@ -15,10 +15,8 @@ namespace {
 
 class Recentring : public Scenes {};
 
-constexpr std::array<double, 3> none{};
-
 glm::dvec3 origin_of(const Scene& scene) {
-    const auto& origin = scene.surfaces[0].field->origin;
+    const auto& origin = scene.surfaces[0].field->origin.point;
     return {origin[0], origin[1], origin[2]};
 }
 
@@ -95,24 +93,86 @@ TEST_F(Recentring, MovesTermsThatAreWrittenOut) {
     EXPECT_LT(probe::float32_displacement(*scene.surfaces[0].field, now.surfaces[0]), 1e-6);
 }
 
-// Elsewhere a warning says what to write.
-TEST_F(Recentring, LeavesWhatItDoesNotHelp) {
-    const char* const bounds = "bounds = { sphere = 40, centre = [500000, 4649776, 120] }\n";
-    for (const std::string& text :
-         {std::string("[surface]\nformula = \"x^2 - 1000000*x + y^2 - 9299552*y + z^2 - 240*z + "
-                      "21870416851076\"\n") +
-              bounds,
-          fmt::format("[surface]\nformula = \"{}\"\n{}transform = {{ rotate = [0, 0, \"t\"] }}\n",
-                      far_ball, bounds)}) {
-        const Scene scene = loaded(text);
-        EXPECT_EQ(scene.surfaces[0].field->origin, none) << text;
-        EXPECT_TRUE(probe::sight(scene, at_frame(scene, 1)).far_middle) << text;
+// What moves goes on moving.
+TEST_F(Recentring, MovesParametersAndElements) {
+    const Scene scene = loaded(R"toml(
+[time]
+frames = 31
+[surface]
+formula = "min(sum(b, exp(-((x - cx)^2 + (y - cy)^2 + (z - cz)^2)/50)) - 0.5, (x - px)^2 + (y - 4649776)^2 + (z - 120)^2 - 9*r)"
+bounds = { sphere = 60, centre = [500000, 4649776, 120] }
+[parameters]
+px = "500000 + 10*t"
+r = 4
+[arrays.b]
+count = 12
+cx = "500000 + 20*sin(i) + t"
+cy = "4649776 + 20*cos(i)"
+cz = [100, 105, 110, 115, 120, 125, 130, 135, 140, 145, 150, 155]
+)toml");
+    ASSERT_EQ(origin_of(scene), glm::dvec3(500000, 4649776, 120));
+    const SceneAt now = at_frame(scene, 31);
+    EXPECT_LT(probe::float32_displacement(*scene.surfaces[0].field, now.surfaces[0]), 1e-5);
+    const auto f = [&](const glm::dvec3& p) {
+        double sum = -0.5;
+        for (int i = 0; i < 12; ++i) {
+            const glm::dvec3 centre(500001 + 20 * std::sin(i), 4649776 + 20 * std::cos(i),
+                                    100 + 5 * i);
+            sum += std::exp(-glm::dot(p - centre, p - centre) / 50);
+        }
+        const glm::dvec3 off = p - glm::dvec3(500010, 4649776, 120);
+        return std::min(sum, glm::dot(off, off) - 36);
+    };
+    for (int k = 0; k < 20; ++k) {
+        const glm::dvec3 p(499990 + 2.0 * k, 4649770 + k, 110 + k);
+        EXPECT_NEAR(field_at(scene, now, p) / scene.surfaces[0].field->scale, f(p), 1e-4);
     }
-    EXPECT_EQ(loaded("[surface]\nformula = \"(x - 100)^2 + y^2 + z^2 - 1\"\nbounds = { sphere = "
-                     "2, centre = [100, 0, 0] }")
-                  .surfaces[0]
-                  .field->origin,
-              none);
+}
+
+// Where it does not help, a warning says what to write.
+TEST_F(Recentring, WarnsWhereItDoesNotHelp) {
+    const std::string bounds = "bounds = { sphere = 40, centre = [500000, 4649776, 120] }\n";
+    const auto warns = [&](const std::string& text, const std::string& file_of = "") {
+        const Scene scene = loaded(text + file_of);
+        return probe::sight(scene, at_frame(scene, 1)).far_middle.has_value();
+    };
+    EXPECT_TRUE(warns("[surface]\nformula = \"x^2 - 1000000*x + y^2 - 9299552*y + z^2 - 240*z + "
+                      "21870416851076\"\n" +
+                      bounds));
+    EXPECT_TRUE(warns(fmt::format("[surface]\nformula = \"{}\"\n{}transform = {{ rotate = [0, 0, "
+                                  "\"t\"] }}\n",
+                                  far_ball, bounds)));
+    // Nothing is known of what has no slope.
+    EXPECT_FALSE(warns("[surface]\nformula = \"-1\"\n" + bounds,
+                       "[[sections]]\nnormal = [1, 0, 0]\npoint = [500000, 0, 0]\n"));
+    EXPECT_FALSE(warns("[surface]\nformula = \"sign(x - 500000) + y - 4649776\"\n" + bounds));
+}
+
+TEST_F(Recentring, LeavesWhatIsNearAtSomeFrame) {
+    const auto origin = [&](const char* formula, const char* bounds) {
+        const Scene scene = loaded(fmt::format(
+            "[time]\nframes = 31\n[surface]\nformula = \"{}\"\nbounds = {}\n", formula, bounds));
+        return origin_of(scene);
+    };
+    EXPECT_EQ(origin("sin(x/3)*cos(y/3) + sin(z/3)",
+                     "{ sphere = 10, centre = [{ keys = [[0, 500000], [1, 0]] }, 0, 0] }"),
+              glm::dvec3(0));
+    EXPECT_EQ(origin("(x - 100)^2 + y^2 + z^2 - 1", "{ sphere = 2, centre = [100, 0, 0] }"),
+              glm::dvec3(0));
+    // Nor what has statements of its own.
+    EXPECT_EQ(origin(far_ball, "{ sphere = 40, centre = ['u = 3*t; 500000 + u', 4649776, 120] }"),
+              glm::dvec3(0));
+}
+
+TEST_F(Recentring, TellsFieldsApart) {
+    const auto text = [&](double x) {
+        return fmt::format("[surface]\nformula = \"{}\"\nbounds = {{ sphere = 40, centre = [{}, "
+                           "4649776, 120] }}\n",
+                           far_ball, x);
+    };
+    const Scene a = loaded(text(500000)), b = loaded(text(500040));
+    EXPECT_NE(formula::identity(*a.surfaces[0].field), formula::identity(*b.surfaces[0].field));
+    EXPECT_EQ(formula::identity(formula::make_field("x - 1", {})), "x - 1");
 }
 
 } // namespace
