@@ -69,10 +69,11 @@ std::optional<NodeId> gathered(Graph& g, const Node& node) {
     const auto with_rest = [&](Op op, const Constant& constant) {
         if (a.rest && b.rest) return joined(g, {g.binary(op, *a.rest, *b.rest), constant});
         if (a.rest || op == Op::add) return joined(g, {a.rest ? a.rest : b.rest, constant});
-        return joined(g, {g.unary(Op::negate, *b.rest), constant});
+        return joined(g, {b.rest ? std::optional(g.unary(Op::negate, *b.rest)) : b.rest, constant});
     };
     switch (node.op) {
     case Op::negate:
+        if (!a.rest) return {};
         return joined(g, {g.unary(Op::negate, *a.rest), -a.constant});
     case Op::add:
         return with_rest(Op::add, a.constant + b.constant);
