@@ -69,6 +69,9 @@ public:
     virtual std::vector<std::string> names() const = 0;
     // The files that the samples are read from.
     virtual std::vector<std::filesystem::path> files() const = 0;
+    // Throws if any of them changed since the source was made, where samples are read one by one:
+    // what was made of them may be of two simulations.
+    virtual void expect_unchanged() const {}
 
 protected:
     SampleSource() = default;

@@ -163,6 +163,7 @@ public:
         totals_.audit = auditing_.all();
         warn_of_audit();
         totals_.stopped = stopped(watcher_);
+        if (!totals_.stopped) expect_unchanged_elements();
         return totals_;
     }
 
@@ -178,6 +179,15 @@ private:
         options.stop = [this] { return stopped(watcher_); };
         options.progress = [this](double part) { tell(part); };
         return options;
+    }
+
+    // Of frames that were drawn long ago, too.
+    void expect_unchanged_elements() const {
+        for (const scene::Surface& surface : scene_.surfaces) {
+            for (const animation::Array& array : surface.animation.arrays()) {
+                if (array.samples) array.samples->source().expect_unchanged();
+            }
+        }
     }
 
     void warn(const std::string& text) const {

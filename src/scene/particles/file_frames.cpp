@@ -63,6 +63,19 @@ FileFrames::FileFrames(FrameFiles files)
 
 FileFrames::~FileFrames() = default; // waits for what is being read ahead
 
+// Frames of two simulations would pass for those of one: the fingerprint of all is one.
+void FileFrames::expect_unchanged(std::size_t k) const {
+    if (base::stamp_of(files_.files[k]) == stamps_[k]) return;
+    ParticleRequest of;
+    of.file = files_.files[k];
+    fail_of_file(of, "changed after the scene was read; start again when nothing writes it any "
+                     "more");
+}
+
+void FileFrames::expect_unchanged() const {
+    for (std::size_t k = 0; k < files_.files.size(); ++k) expect_unchanged(k);
+}
+
 std::size_t FileFrames::frames_kept() const {
     const auto columns = std::size_t(std::ranges::count(wanted_, true)) + 1;
     return std::clamp(bytes_kept / (8 * columns * std::max<std::size_t>(files_.most, 1)),
@@ -103,11 +116,7 @@ FileFrames::FramePointer FileFrames::read(std::size_t k, const std::vector<bool>
         return wanted;
     };
     ParticleTable table = read_particles(request, limits::table_bytes).table;
-    // Frames of two simulations would pass for those of one: the fingerprint of all is one.
-    if (base::stamp_of(request.file) != stamps_[k]) {
-        fail_of_file(request, "changed after the scene was read; start again when nothing writes "
-                              "it any more");
-    }
+    expect_unchanged(k);
     if (table.count > files_.most) {
         fail_of_file(request, fmt::format("holds {} particles; the array's count allows {}",
                                           table.count, files_.most));

@@ -49,6 +49,7 @@ public:
     std::string origin(std::size_t k) const override;
     std::vector<std::string> names() const override { return files_.columns; }
     std::vector<std::filesystem::path> files() const override { return files_.files; }
+    void expect_unchanged() const override;
 
     // For tests: the number of frames in memory or being read, and the number of files read so far.
     std::size_t frames_now() const;
@@ -68,6 +69,7 @@ private:
         std::shared_future<FramePointer> read;
     };
 
+    void expect_unchanged(std::size_t k) const;
     FramePointer read(std::size_t k, const std::vector<bool>& columns) const;
     FramePointer frame(std::size_t k, const std::vector<bool>& columns) const;
     // Call these while holding the lock.

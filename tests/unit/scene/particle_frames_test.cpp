@@ -288,6 +288,11 @@ TEST_F(ParticleFrames, AreRefusedWhereTheyChangedAfterTheSceneWasRead) {
         }
     }
     EXPECT_GE(refused, 3);
+    // Also when nothing reads them again.
+    const auto& samples = *scene.surfaces[0].animation.arrays()[0].samples;
+    EXPECT_THROW(samples.source().expect_unchanged(), SceneError);
+    const Scene again = loaded(scene_of("file = \"p.#.csv\"", 9));
+    EXPECT_NO_THROW(again.surfaces[0].animation.arrays()[0].samples->source().expect_unchanged());
 }
 
 TEST_F(ParticleFrames, SayWhereTheyAreFrom) {
