@@ -62,6 +62,8 @@ ALL = QUICK + [
     ("glass.toml", 3, [CAMERA]),
     ("glass_within.toml", 1, []),
     ("glass_drops", 30, []),
+    ("far.toml", 3, []),
+    ("far.toml", 2, [], {"px": 499990}),
 ]
 # Pictures whose mean a frame is.
 SAMPLES = {"lens.toml": 4, "look.toml": 4, "blur.toml": 4, "soft.toml": 16, "several.toml": 4}
@@ -394,6 +396,21 @@ depth = 3
 position = [0.2, -0.3, 0.1]
 target = [1, 0.4, 0.2]
 fov = 90
+""",
+    # Coordinates, elements and a parameter far from the origin.
+    "far.toml": """[time]
+frames = 4
+[surface]
+formula = "min(sum(b, exp(-((x - cx)^2 + (y - cy)^2 + (z - 120)^2)/50)) - 0.5, (x - px)^2 + (y - 4649776)^2 + (z - 130)^2 - 64)"
+bounds = { sphere = 60, centre = ["500000 + t", 4649776, 120] }
+[parameters]
+px = "500000 + 10*t"
+[arrays.b]
+count = 12
+cx = "500000 + 20*sin(i) + t"
+cy = "4649776 + 20*cos(i)"
+[material]
+color = ["0.5 + (x - 500000)/80", 0.4, 0.3]
 """,
     # A placement far away, parallel rays, no light of its own.
     "moved.toml": """[time]
