@@ -207,7 +207,7 @@ private:
     // `part` of one of the pictures that the frame is the mean of.
     void tell(double part) {
         if (landing_since_) {
-            tell_of_landing();
+            tell_of_landing(*landing_since_);
             return;
         }
         if (part < part_) ++picture_;
@@ -225,10 +225,10 @@ private:
 
     // A picture that needs more than was sent on its way is drawn when it is taken, which may take
     // long. By then the next frame may have begun.
-    void tell_of_landing() {
+    void tell_of_landing(std::chrono::steady_clock::time_point since) {
         ExportProgress now = progress_;
         now.landing = waiting_.front().frame;
-        now.passed = std::chrono::steady_clock::now() - *landing_since_;
+        now.passed = std::chrono::steady_clock::now() - since;
         if (watcher_.progress) watcher_.progress(now);
     }
 
