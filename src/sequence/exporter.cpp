@@ -181,7 +181,7 @@ private:
         return options;
     }
 
-    // Of frames that were drawn long ago, too.
+    // Files may change after their frames were drawn.
     void expect_unchanged_elements() const {
         for (const scene::Surface& surface : scene_.surfaces) {
             for (const animation::Array& array : surface.animation.arrays()) {

@@ -1,5 +1,5 @@
-// The parameters and the fields of elements that lie as far from 0 as a surface that is drawn far
-// from the origin, and fields that hold them counted from there.
+// Parameters and fields of elements that are far from 0, as the bounds of their surface are, and
+// fields that hold the same numbers counted from nearby.
 #pragma once
 
 #include <utility>

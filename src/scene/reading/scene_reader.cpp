@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <numeric>
 
 #include <fmt/format.h>
@@ -100,6 +101,14 @@ void rescale(SurfaceParts& parts, const SurfaceAt& first) {
                            : "comes to values such as {:.1g} within the bounds; the GPU's "
                              "numbers hold 1e-37 to 1e38: multiply it by another number";
     fail(*parts.formula_node, parts.formula_key, fmt::format(fmt::runtime(what), loss.example));
+}
+
+// The tracks that hold the places of the bounds.
+std::vector<TrackId> places_of(const Bounds& bounds) {
+    if (bounds.shape == Bounds::Shape::sphere) return {bounds.centre.begin(), bounds.centre.end()};
+    std::vector<TrackId> places(bounds.min.begin(), bounds.min.end());
+    places.insert(places.end(), bounds.max.begin(), bounds.max.end());
+    return places;
 }
 
 } // namespace
@@ -252,18 +261,13 @@ void SceneReader::make_field_again() {
     surface().animation.keep_fields(surface().field->packing);
 }
 
-// The tracks that places of the bounds are.
-std::vector<TrackId> places_of(const Bounds& bounds) {
-    if (bounds.shape == Bounds::Shape::sphere) return {bounds.centre.begin(), bounds.centre.end()};
-    std::vector<TrackId> places(bounds.min.begin(), bounds.min.end());
-    places.insert(places.end(), bounds.max.begin(), bounds.max.end());
-    return places;
-}
-
-// Whether the bounds are far from the origin, and near a point, at all frames: at three of them.
+// Whether the bounds are far from the origin, and near a point, at frames spread over the scene.
 bool SceneReader::stays_far_beside(const glm::dvec3& point) const {
-    const int frames = scene_.timeline.frames;
-    for (const int frame : {1, (1 + frames) / 2, frames}) {
+    constexpr int most_looked_at = 17;
+    const int frames = scene_.timeline.frames, looked_at = std::min(frames, most_looked_at);
+    for (int k = 0; k < looked_at; ++k) {
+        const int frame =
+            looked_at == 1 ? 1 : 1 + int(std::int64_t(frames - 1) * k / (looked_at - 1));
         BoundsAt bounds;
         try {
             bounds = surface_at(scene_, scene_.timeline.time(frame)).bounds;

@@ -1,6 +1,7 @@
 #include "scene/reading/track_table.h"
 
 #include <algorithm>
+#include <cassert>
 #include <set>
 
 #include <fmt/format.h>
@@ -44,6 +45,7 @@ void TrackTable::set(TrackId track, double value) {
 }
 
 void TrackTable::add_to(TrackId track, double number) {
+    assert(!has_statements(track));
     animation::TrackSource& source = tracks_[std::size_t(track)].track.source;
     if (double* value = std::get_if<double>(&source)) {
         *value += number;

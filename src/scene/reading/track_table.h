@@ -36,7 +36,7 @@ public:
     int size() const { return int(tracks_.size()); }
     // Lets a track have this value at all times.
     void set(TrackId track, double value);
-    // Adds a number to a track's values, unless it has statements of its own.
+    // Adds a number to the values of a track whose expression has no statements before it.
     void add_to(TrackId track, double number);
     bool has_statements(TrackId track) const;
     // Whether a track has one value at all times.

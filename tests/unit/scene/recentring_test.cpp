@@ -132,8 +132,8 @@ cz = [100, 105, 110, 115, 120, 125, 130, 135, 140, 145, 150, 155]
 // Where it does not help, a warning says what to write.
 TEST_F(Recentring, WarnsWhereItDoesNotHelp) {
     const std::string bounds = "bounds = { sphere = 40, centre = [500000, 4649776, 120] }\n";
-    const auto warns = [&](const std::string& text, const std::string& file_of = "") {
-        const Scene scene = loaded(text + file_of);
+    const auto warns = [&](const std::string& text, const std::string& more = "") {
+        const Scene scene = loaded(text + more);
         return probe::sight(scene, at_frame(scene, 1)).far_middle.has_value();
     };
     EXPECT_TRUE(warns("[surface]\nformula = \"x^2 - 1000000*x + y^2 - 9299552*y + z^2 - 240*z + "
@@ -156,6 +156,10 @@ TEST_F(Recentring, LeavesWhatIsNearAtSomeFrame) {
     };
     EXPECT_EQ(origin("sin(x/3)*cos(y/3) + sin(z/3)",
                      "{ sphere = 10, centre = [{ keys = [[0, 500000], [1, 0]] }, 0, 0] }"),
+              glm::dvec3(0));
+    EXPECT_EQ(origin("sin(x/3)*cos(y/3) + sin(z/3)",
+                     "{ sphere = 10, centre = [{ keys = [[0, 500000], [0.3, 0], [0.7, 500000]] }, "
+                     "0, 0] }"),
               glm::dvec3(0));
     EXPECT_EQ(origin("(x - 100)^2 + y^2 + z^2 - 1", "{ sphere = 2, centre = [100, 0, 0] }"),
               glm::dvec3(0));
